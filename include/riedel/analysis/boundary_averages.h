@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/grid/body.h>
+#include <riedel/grid/space.h>
+
+#include <string>
+#include <vector>
+
+namespace Riedel::Analysis
+{
+  /**
+   * Mean displacement (and rotation) of the named boundaries, as integrals over
+   * their undeformed surface.
+   */
+  template <int dim>
+  class BoundaryAverages
+  {
+  public:
+    BoundaryAverages(const std::vector<std::string> &names,
+                     const Grid::Body<dim>          &body,
+                     const Grid::Space<dim>         &space);
+
+    /// Values [boundary][component] of a field given by its relevant dofs;
+    /// collective.
+    std::vector<std::vector<double>>
+    operator()(const std::vector<double> &relevant) const;
+
+  private:
+    struct Term
+    {
+      unsigned int boundary, component, dof;
+      double       weight;
+    };
+
+    std::size_t             n_boundaries;
+    const Grid::Space<dim> *space;
+    std::vector<Term>       terms;
+  };
+} // namespace Riedel::Analysis

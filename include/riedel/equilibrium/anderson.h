@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/linear_algebra.h>
+
+#include <deque>
+
+namespace Riedel::Equilibrium
+{
+  /**
+   * Anderson acceleration (type II) of a fixed-point iteration x <- x + f(x),
+   * where f is a preconditioned residual: the last differences of x and f are
+   * secant pairs of the inverse Jacobian, and
+   *
+   *     x_next = x + f - (dX + dF) gamma,   gamma = argmin |f - dF gamma|
+   *
+   * (Walker and Ni, SIAM J. Numer. Anal. 49, 2011; Fang and Saad, Numer. Linear
+   * Algebra Appl. 16, 2009). Pairs live on while the preconditioner stays: they
+   * may be carried from load step to load step.
+   */
+  class AndersonAcceleration
+  {
+  public:
+    /// @p n_pairs secant pairs at most; 0 leaves the iteration as it is.
+    /// @p squared_weights: the metric of the minimisation, a positive weight
+    /// per entry.
+    AndersonAcceleration(const unsigned int           n_pairs,
+                         const LinearAlgebra::Vector &squared_weights);
+
+    /// Forgets all pairs: the preconditioner has changed.
+    void
+    clear();
+
+    /// The next iterate after @p x has jumped, e.g. at a new load step: the
+    /// next difference is no secant.
+    void
+    interrupt();
+
+    /// Replaces @p x by the next iterate; @p f is f(x).
+    void
+    advance(LinearAlgebra::Vector &x, const LinearAlgebra::Vector &f);
+
+  private:
+    struct Pair
+    {
+      LinearAlgebra::Vector dx, df;
+    };
+
+    double
+    product(const LinearAlgebra::Vector &a,
+            const LinearAlgebra::Vector &b) const;
+
+    const unsigned int           n_pairs;
+    const LinearAlgebra::Vector *squared_weights;
+    std::deque<Pair>             pairs; ///< newest first
+    bool                         has_last = false;
+    LinearAlgebra::Vector        last_x, last_f;
+  };
+} // namespace Riedel::Equilibrium

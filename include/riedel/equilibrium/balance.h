@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/equilibrium/assembly.h>
+#include <riedel/equilibrium/boundary_conditions.h>
+#include <riedel/equilibrium/direct_solver.h>
+#include <riedel/equilibrium/loads.h>
+#include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/virtual_stress.h>
+#include <riedel/grid/body.h>
+#include <riedel/grid/space.h>
+#include <riedel/timer.h>
+
+#include <memory>
+#include <vector>
+
+namespace Riedel::Equilibrium
+{
+  /// How far the forces and moments of a trial step are from balance.
+  struct Residual
+  {
+    double      force  = 0.0; ///< norm of the out-of-balance forces [N/m in 2D]
+    double      moment = 0.0; ///< of the moments, divided by the law's length
+    double      reference = 0.0; ///< norm of reactions or loads
+    SweepReport sweep; ///< sums over all ranks, first_refused of this one
+    bool        refused = false; ///< a point on some rank gave no result
+
+    double
+    relative() const
+    {
+      return std::max(force, moment) / reference;
+    }
+  };
+
+  /**
+   * The equations of one load step: nodal forces of the stresses minus loads,
+   * as a function of the displacement and rotation increments du, and their
+   * linearisation. What solves them is a scheme (scheme.h).
+   */
+  template <int dim>
+  class Balance
+  {
+  public:
+    Balance(const BoundaryConditionParameters<dim> &boundary_parameters,
+            const LoadingParameters<dim>           &loading,
+            const SolverParameters                 &solver,
+            const Grid::Body<dim>                  &body,
+            const Grid::Space<dim>                 &space,
+            Points::MaterialPoints<dim>            &points,
+            const Points::Supports<dim>            &supports,
+            Timer                                  &timer);
+
+    /// Starts a step from the displacement @p u (relevant dofs by local number)
+    /// to the load parameter @p s.
+    void
+    begin_step(const std::vector<double> &u, const double s);
+
+    /// Another end for the same step.
+    void
+    set_load(const double s);
+
+    /// A vector of increments, zero.
+    LinearAlgebra::Vector
+    vector() const
+    {
+      return space->owned_vector();
+    }
+
+    /// Gives the prescribed dofs of @p du their increments.
+    void
+    impose(LinearAlgebra::Vector &du) const;
+
+    /// Out-of-balance forces @p r at @p du, zero at prescribed dofs. A residual
+    /// sweep: laws are asked for values only.
+    Residual
+    residual(const LinearAlgebra::Vector &du, LinearAlgebra::Vector &r);
+
+    /// The same, with the stiffness at @p du assembled and factorised.
+    Residual
+    linearise(const LinearAlgebra::Vector &du, LinearAlgebra::Vector &r);
+
+    /// delta = -K^-1 r with the last factors.
+    void
+    correction(const LinearAlgebra::Vector &r, LinearAlgebra::Vector &delta);
+
+    /// First guess from the tangent at zero increment under the prescribed
+    /// increments of the step. Never the prescribed increments alone: they
+    /// would localise in the boundary's cells.
+    Residual
+    predict_with_tangent(LinearAlgebra::Vector &du);
+
+    bool
+    has_factors() const
+    {
+      return factorised;
+    }
+
+    /// Squared weights that make rotations comparable with displacements.
+    const LinearAlgebra::Vector &
+    metric() const
+    {
+      return squared_lengths;
+    }
+
+    /// Loads plus reactions after the last sweep, all dofs: what does external
+    /// work.
+    const LinearAlgebra::Vector &
+    external_forces() const
+    {
+      return external;
+    }
+
+    const BoundaryConditions<dim> &
+    boundary_conditions() const
+    {
+      return conditions;
+    }
+
+    /// Force [N/m in 2D] and moment about the origin [N] that a boundary exerts
+    /// on the body after the last sweep, summed over the ranks.
+    struct Reaction
+    {
+      dealii::Tensor<1, dim> force;
+      double                 moment = 0.0;
+    };
+
+    std::vector<Reaction>
+    reactions() const;
+
+    /// Work of the stresses over the step, all ranks.
+    double
+    stress_work() const;
+
+    const typename Assembly<dim>::Cost &
+    law_cost() const
+    {
+      return assembly.cost();
+    }
+
+    /// Where the residual of the last sweep is largest: a sentence for people.
+    std::string
+    describe_worst(const LinearAlgebra::Vector &r) const;
+
+    /// Which point was refused in the last sweep and why: a sentence for
+    /// people, the same on all ranks.
+    std::string
+    describe_refusal(const Residual &residual) const;
+
+    std::uint64_t n_sweeps         = 0; ///< residual sweeps (values only)
+    std::uint64_t n_factorisations = 0;
+
+  private:
+    Residual
+    evaluate(const LinearAlgebra::Vector             &du,
+             LinearAlgebra::Vector                   &r,
+             const dealii::AffineConstraints<double> *constraints,
+             LinearAlgebra::Vector                   *right_hand_side);
+
+    const BoundaryConditionParameters<dim> *boundary_parameters;
+    const LoadingParameters<dim>           *loading;
+    const SolverParameters                 *parameters;
+    const Grid::Space<dim>                 *space;
+    Points::MaterialPoints<dim>            *points;
+    const Points::Supports<dim>            *supports;
+    Timer                                  *timer;
+
+    BoundaryConditions<dim> conditions;
+    Loads<dim>              loads;
+    VirtualStress<dim>      virtual_stress;
+    Assembly<dim>           assembly;
+
+    double                        length; ///< divides moments
+    LinearAlgebra::SparseMatrix   matrix;
+    std::unique_ptr<DirectSolver> solver;
+    bool                          factorised = false;
+
+    std::vector<double> start;      ///< displacement at the step's start
+    std::vector<double> prescribed; ///< increments, by local number
+    double              load = 0.0;
+    /// nodal forces of the last sweep, relevant dofs
+    std::vector<double>   increment, internal, applied, virtual_forces;
+    LinearAlgebra::Vector external, reaction, squared_lengths;
+    std::vector<bool>     is_prescribed;                ///< by owned place
+    std::vector<bool>     is_rotation;                  ///< by owned place
+    std::vector<typename Loads<dim>::Surface> surfaces; ///< all ranks
+  };
+} // namespace Riedel::Equilibrium

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/equilibrium/parameters.h>
+#include <riedel/grid/body.h>
+#include <riedel/grid/space.h>
+#include <riedel/points/material_points.h>
+#include <riedel/points/supports.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <functional>
+#include <vector>
+
+namespace Riedel::Equilibrium
+{
+  /**
+   * What acts on the body besides its supports: weight, body forces and
+   * couples, and the loads on boundaries as surface integrals
+   * (doc/theory/loads.md). Of a load of the form "virtual stress" only the
+   * resultant is computed here; it enters the equations through VirtualStress.
+   */
+  template <int dim>
+  class Loads
+  {
+  public:
+    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+
+    Loads(const BoundaryConditionParameters<dim> &boundaries,
+          const LoadingParameters<dim>           &loading,
+          const Grid::Body<dim>                  &body,
+          const Grid::Space<dim>                 &space);
+
+    /// Takes a local stiffness (row-major, n x n) of n dofs by global number.
+    using AddMatrix =
+      std::function<void(const std::vector<dealii::types::global_dof_index> &,
+                         const std::vector<double> &)>;
+
+    /// Adds weight, body forces and body couples of the points.
+    void
+    add_body_forces(const Points::Supports<dim>       &supports,
+                    const Points::MaterialPoints<dim> &points,
+                    const double                       s,
+                    std::vector<double>               &forces) const;
+
+    /// Adds the surface loads at displacement @p u (relevant dofs by local
+    /// number) and, if @p add_matrix is not empty, minus their derivative.
+    void
+    add_surface_loads(const std::vector<double> &u,
+                      const double               s,
+                      std::vector<double>       &forces,
+                      const AddMatrix           &add_matrix) const;
+
+    /// What acts on this rank's part of a boundary, after add_surface_loads().
+    struct Surface
+    {
+      dealii::Tensor<1, dim> force; ///< resultant of the loads [N/m in 2D]
+      dealii::Tensor<1, dim> normal_area; ///< present area times normal [m]
+      dealii::Tensor<1, dim> initial_normal_area; ///< before the first step
+    };
+
+    /// In the order of the parameters; zero for a boundary without loads.
+    const std::vector<Surface> &
+    surfaces() const
+    {
+      return surface;
+    }
+
+  private:
+    /// A quadrature point of a loaded face.
+    struct FacePoint
+    {
+      unsigned int       boundary;
+      std::size_t        first_dof; ///< in #dofs
+      dealii::Point<dim> position;  ///< undeformed [m]
+      double             weight;    ///< of the quadrature
+      /// undeformed dX/dxi [m], running so that (t_2, -t_1) points outwards
+      dealii::Tensor<1, dim> tangent;
+      std::vector<double>    shape; ///< of displacement nodes
+      std::vector<double>    slope; ///< d shape / d xi
+      std::vector<double>    rotation_shape;
+    };
+
+    const BoundaryConditionParameters<dim> *parameters;
+    const LoadingParameters<dim>           *loading;
+    const Grid::Space<dim>                 *space;
+    std::vector<unsigned int>               dof_order;
+    std::vector<unsigned int>               dofs;
+    std::vector<FacePoint>                  face_points;
+    mutable std::vector<Surface>            surface;
+  };
+} // namespace Riedel::Equilibrium

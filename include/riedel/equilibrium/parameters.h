@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/errors.h>
+#include <riedel/expression.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Riedel::Equilibrium
+{
+  /// What the intensity of a surface load refers to.
+  enum class LoadArea
+  {
+    initial, ///< a dead load: the total force does not follow the surface
+    current  ///< per present length (2D) or area (3D)
+  };
+
+  /// How a pressure enters the equations (doc/theory/loads.md).
+  enum class LoadForm
+  {
+    surface_integral, ///< integrals over the boundary's faces
+    virtual_stress    ///< volume terms of a virtual stress field
+  };
+
+  /// Section "Boundary conditions": one subsection per named boundary. What is
+  /// not given is free.
+  template <int dim>
+  struct BoundaryParameters
+  {
+    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+
+    std::string name;
+    /// prescribed displacement components [m]
+    std::array<Expression<dim>, dim> displacement;
+    /// prescribed micro-rotation [rad]; in 2D one, named "Rotation"
+    std::array<Expression<dim>, n_spin> rotation;
+    /// pressure, positive in compression, normal to the surface [Pa]
+    Expression<dim> pressure;
+    /// traction components [Pa]
+    std::array<Expression<dim>, dim> traction;
+    /// couple traction [N/m]; in 2D one, named "Couple traction"
+    std::array<Expression<dim>, n_spin> couple_traction;
+    /// dead load or not, for pressure, traction and couple traction
+    LoadArea area = LoadArea::current;
+    LoadForm form = LoadForm::surface_integral;
+  };
+
+  template <int dim>
+  struct BoundaryConditionParameters
+  {
+    /// in the order of the file: where two boundaries share a node and both
+    /// prescribe a component, the one named first counts
+    std::vector<BoundaryParameters<dim>> boundaries;
+
+    static void
+    declare(dealii::ParameterHandler       &prm,
+            const std::vector<std::string> &names);
+    /// Throws InputError for a formula that cannot be read.
+    void
+    parse(dealii::ParameterHandler &prm, const std::vector<std::string> &names);
+    /// @p known: the boundaries of the geometry
+    void
+    check(const std::vector<std::string> &known,
+          const bool                      micropolar,
+          Problems                       &problems) const;
+  };
+
+  /// Section "Loading": the load parameter s runs from 0 to stop.
+  template <int dim>
+  struct LoadingParameters
+  {
+    double initial_step  = 0.0; ///< 0: the largest step
+    double largest_step  = 0.004;
+    double smallest_step = 1e-6;
+    double stop          = 1.0;
+    /// steps never change: no growth, no cut
+    bool fixed_steps = false;
+
+    /// body force per initial volume [N/m3] besides the weight of Initial state
+    std::array<Expression<dim>, dim> body_force;
+    /// couple per initial volume [N/m2]
+    std::array<Expression<dim>, (dim == 2 ? 1 : 3)> body_couple;
+
+    static void
+    declare(dealii::ParameterHandler &prm);
+    void
+    parse(dealii::ParameterHandler &prm);
+    void
+    check(const bool micropolar, Problems &problems) const;
+  };
+
+  enum class SchemeName
+  {
+    accelerated, ///< old factor, Anderson acceleration (doc/theory/solution.md)
+    newton       ///< full Newton with consistent tangent and line search
+  };
+
+  enum class Predictor
+  {
+    automatic, ///< quadratic for accelerated, previous for newton
+    quadratic, ///< through the last accepted steps
+    previous   ///< the previous increment, scaled
+  };
+
+  enum class DirectSolverName
+  {
+    mumps,
+    umfpack ///< on one rank only
+  };
+
+  /// Section "Solver".
+  struct SolverParameters
+  {
+    SchemeName       scheme    = SchemeName::accelerated;
+    Predictor        predictor = Predictor::automatic;
+    DirectSolverName solver    = DirectSolverName::mumps;
+    /// largest residual of forces, and of moments divided by the law's length,
+    /// relative to the norm of the reactions
+    double residual = 1e-6;
+    /// iterations after which a step is cut
+    unsigned int most_iterations = 25;
+    /// number of iterations the step size is adapted to
+    unsigned int target_iterations = 4;
+    /// refactor after so many iterations with one factor in one step
+    unsigned int refactor_after = 8;
+    /// refactor if residuals shrink more slowly than by this factor
+    double slow_contraction = 0.6;
+    /// secant pairs kept by the acceleration; 0: modified Newton
+    unsigned int secant_pairs = 10;
+
+    static void
+    declare(dealii::ParameterHandler &prm);
+    void
+    parse(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+} // namespace Riedel::Equilibrium

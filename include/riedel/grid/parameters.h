@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/errors.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Riedel::Grid
+{
+  /// How the strain-like increments H and theta of a point are sampled
+  /// (doc/theory/elements.md).
+  enum class StrainSampling
+  {
+    full,            ///< at the point itself
+    mean_dilatation, ///< volume part from the cell's mean
+    assumed          ///< H and theta from fewer sampling points of the cell
+  };
+
+  enum class ReferenceConfiguration
+  {
+    initial ///< shape functions on the undeformed grid: finite elements
+  };
+
+  /// Section "Geometry": the body before the first step.
+  struct GeometryParameters
+  {
+    /// dimension of the scene, set by parse()
+    unsigned int dimension = 2;
+    /// edge lengths of the box [m]; empty if the grid comes from a file
+    std::vector<double> box;
+    /// its lower left corner [m]
+    std::vector<double> origin;
+    /// a grid file (Gmsh .msh, UCD .inp, VTK .vtk); empty: a box
+    std::string file;
+    /// boundary id -> name. A box has left, right, bottom, top (, front, back)
+    std::map<unsigned int, std::string> boundary_names;
+
+    static void
+    declare(dealii::ParameterHandler &prm);
+    void
+    parse(dealii::ParameterHandler &prm, const unsigned int dim);
+    void
+    check(Problems &problems) const;
+
+    /// All boundary names, sorted by their id.
+    std::vector<std::string>
+    names() const;
+  };
+
+  /// Section "Grid".
+  struct Parameters
+  {
+    /// cells of the box along each axis
+    std::vector<unsigned int> cells;
+    /// uniform refinements of the grid of a file
+    unsigned int           refinements   = 0;
+    ReferenceConfiguration configuration = ReferenceConfiguration::initial;
+    /// polynomial degrees, 1 or 2; "automatic" is 2 in configuration initial
+    unsigned int   displacement_degree = 2;
+    unsigned int   rotation_degree     = 2;
+    StrainSampling sampling            = StrainSampling::assumed;
+    /// share of the point's own H and theta under assumed sampling
+    double own_strain_fraction = 0.1;
+
+    static void
+    declare(dealii::ParameterHandler &prm);
+    void
+    parse(dealii::ParameterHandler &prm);
+    void
+    check(const GeometryParameters &geometry, Problems &problems) const;
+  };
+} // namespace Riedel::Grid

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/grid/parameters.h>
+#include <riedel/linear_algebra.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/point.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <map>
+#include <vector>
+
+namespace Riedel::Grid
+{
+  /**
+   * The unknowns on the grid: displacement components first, then (only if a
+   * law is micropolar) micro-rotations, each with its own degree.
+   *
+   * A rank numbers the dofs it needs (the locally relevant ones) from zero, in
+   * ascending order of their global numbers. Work on points uses these local
+   * numbers and plain arrays.
+   */
+  template <int dim>
+  class Space
+  {
+  public:
+    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+
+    Space(const dealii::Triangulation<dim> &triangulation,
+          const Parameters                 &parameters,
+          const bool                        micropolar);
+
+    /// (Re)numbers the dofs after the grid has changed.
+    void
+    distribute();
+
+    bool
+    is_micropolar() const
+    {
+      return micropolar;
+    }
+
+    /// displacement components plus rotation components
+    unsigned int
+    n_components() const
+    {
+      return fe.n_components();
+    }
+
+    const dealii::FiniteElement<dim> &
+    element() const
+    {
+      return fe;
+    }
+
+    const dealii::DoFHandler<dim> &
+    dof_handler() const
+    {
+      return dofs;
+    }
+
+    MPI_Comm
+    communicator() const;
+
+    const dealii::IndexSet &
+    owned() const
+    {
+      return owned_dofs;
+    }
+
+    const dealii::IndexSet &
+    relevant() const
+    {
+      return relevant_dofs;
+    }
+
+    /// Number of a relevant dof on this rank.
+    unsigned int
+    local(const dealii::types::global_dof_index dof) const
+    {
+      return static_cast<unsigned int>(relevant_dofs.index_within_set(dof));
+    }
+
+    /// Hanging nodes only.
+    const dealii::AffineConstraints<double> &
+    hanging_nodes() const
+    {
+      return hanging;
+    }
+
+    /// Component of every relevant dof, by local number.
+    const std::vector<unsigned char> &
+    components() const
+    {
+      return component_of_dof;
+    }
+
+    /// Undeformed position of every relevant dof's node, by local number [m].
+    const std::vector<dealii::Point<dim>> &
+    nodes() const
+    {
+      return node_positions;
+    }
+
+    /// Relevant dofs of one component on a boundary, as local numbers.
+    std::vector<unsigned int>
+    boundary_dofs(const dealii::types::boundary_id id,
+                  const unsigned int               component) const;
+
+    /// A vector of the owned dofs, zero.
+    LinearAlgebra::Vector
+    owned_vector() const;
+
+    /// Copies owned values to an array over the relevant dofs.
+    void
+    gather(const LinearAlgebra::Vector &owned,
+           std::vector<double>         &relevant) const;
+
+    /// Adds an array over the relevant dofs, summed over the ranks.
+    void
+    scatter_add(const std::vector<double> &relevant,
+                LinearAlgebra::Vector     &owned) const;
+
+  private:
+    const bool                        micropolar;
+    dealii::FESystem<dim>             fe;
+    dealii::DoFHandler<dim>           dofs;
+    dealii::IndexSet                  owned_dofs;
+    dealii::IndexSet                  relevant_dofs;
+    dealii::AffineConstraints<double> hanging;
+    std::vector<unsigned char>        component_of_dof;
+    std::vector<dealii::Point<dim>>   node_positions;
+    /// local numbers of the owned dofs; of the others, with global numbers
+    std::vector<unsigned int> owned_local;
+    std::vector<std::pair<unsigned int, dealii::types::global_dof_index>>
+                                  ghost_local;
+    mutable LinearAlgebra::Vector ghosted;
+  };
+} // namespace Riedel::Grid

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/material/hypoplastic_rate.h>
+#include <riedel/material/law.h>
+
+#include <string>
+
+namespace Riedel::Material
+{
+  /**
+   * Hypoplasticity for granular bodies in plane strain: `polar hypoplastic`
+   * (micropolar, 7 generalised components) after Tejchman, "Numerical studies
+   * on patterning of shear zones in granular bodies", and its classical limit
+   * `hypoplastic` (4 components, symmetric stretching, no couple stress).
+   * Equations, limits and counted states:
+   * doc/theory/polar_hypoplasticity.md.
+   *
+   * A step is integrated with a constant velocity gradient, L dt = log f, in
+   * the frame that rotates with the continuum's spin, so that a rigid rotation
+   * is exact in any number of steps and 1 + e is proportional to volume. The
+   * tangent is the derivative of the sequence of substeps that was accepted.
+   *
+   * State: stress [Pa], couple_stress [N/m] (micropolar only), void_ratio,
+   * substep (strain that one substep resolves; where a step starts).
+   */
+  template <bool micropolar>
+  class Hypoplastic : public Law<2>
+  {
+  public:
+    Hypoplastic();
+
+    std::string
+    name() const override;
+
+    bool
+    is_micropolar() const override
+    {
+      return micropolar;
+    }
+
+    const StateLayout &
+    layout() const override
+    {
+      return slots;
+    }
+
+    /// d_50 [m]; 0 in the classical limit
+    double
+    length() const override
+    {
+      return micropolar ? constants.mean_grain_diameter : 0.;
+    }
+
+    void
+    initialise(const InitialState &initial, double *state) const override;
+
+    void
+    stresses_at_rest(const double *state, double *stresses) const override;
+
+    Report
+    respond(const Batch &batch) const override;
+
+    void
+    declare(dealii::ParameterHandler &prm) const override;
+
+    void
+    parse(dealii::ParameterHandler &prm) override;
+
+    void
+    check(const std::string &path, Problems &problems) const override;
+
+    void
+    check_initial(const InitialState &initial,
+                  const std::string  &path,
+                  Problems           &problems) const override;
+
+  private:
+    struct PointReport;
+
+    template <typename Number>
+    Report
+    respond_all(const Batch &batch) const;
+
+    template <typename Number>
+    Report::Refusal
+    respond_point(const double *increment,
+                  const double *committed,
+                  double       *trial,
+                  double       *stresses,
+                  double       *tangent,
+                  PointReport  &report) const;
+
+    /// Pressure below which a point is put to rest on it [Pa]: the floor
+    /// pressure and, below e_d, the resistance against further compaction.
+    template <typename Number>
+    Number
+    smallest_pressure(const Number &void_ratio) const;
+
+    StateLayout          slots;
+    HypoplasticConstants constants;
+    std::string          polar_constant    = "1/a1";
+    bool                 polar_constant_ok = true;
+    double               floor_pressure    = 0.;
+    double               substep_tolerance = 0.;
+    /// smallest substeps in a step, a power of two
+    unsigned int n_smallest_substeps = 1;
+    /// e_d at the floor pressure
+    double densest_at_floor = 0.;
+  };
+
+  using PolarHypoplastic     = Hypoplastic<true>;
+  using ClassicalHypoplastic = Hypoplastic<false>;
+} // namespace Riedel::Material

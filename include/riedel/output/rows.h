@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/analysis/shear_bands.h>
+#include <riedel/equilibrium/balance.h>
+#include <riedel/equilibrium/scheme.h>
+#include <riedel/material/parameters.h>
+#include <riedel/points/material_points.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Riedel::Output
+{
+  /// Names (with units) and values of a table's row.
+  using Row = std::vector<std::pair<std::string, double>>;
+
+  /// What a step leaves behind, besides fields.
+  template <int dim>
+  struct StepRecord
+  {
+    unsigned int number = 0; ///< of the step; 0 is the initial state
+    double       load   = 0.0;
+    double       step   = 0.0;
+    unsigned int cuts   = 0; ///< since the start
+
+    /// names of all boundaries of the body, and their mean displacements and
+    /// rotations
+    std::vector<std::string>         boundaries;
+    std::vector<std::vector<double>> displacements;
+    /// names of the boundaries with conditions, and their reactions
+    std::vector<std::string>                                  supported;
+    std::vector<typename Equilibrium::Balance<dim>::Reaction> reactions;
+
+    double external_work = 0.0, stress_work = 0.0; ///< since the start [J/m]
+    /// sums over all ranks
+    double               volume = 0.0, mass = 0.0;
+    std::uint64_t        n_points = 0;
+    Equilibrium::Outcome outcome;
+    std::uint64_t        sweeps = 0, factorisations = 0; ///< since the start
+    std::size_t          n_bands     = 0;
+    double               cpu_seconds = 0.0; ///< of all ranks
+  };
+
+  /// Volume, mass and number of points over all ranks, into @p record.
+  template <int dim>
+  void
+  sum_up_points(const Points::MaterialPoints<dim> &points,
+                const MPI_Comm                     communicator,
+                StepRecord<dim>                   &record);
+
+  /// The row of history.csv (doc/output.md).
+  template <int dim>
+  Row
+  history_row(const StepRecord<dim> &record);
+
+  /// The row of bands.csv: lengths in mm and in grain sizes.
+  Row
+  bands_row(const unsigned int          step,
+            const double                load,
+            const Analysis::ShearBands &bands,
+            const double                grain_size);
+} // namespace Riedel::Output

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/analysis/boundary_averages.h>
+#include <riedel/analysis/shear_bands.h>
+#include <riedel/equilibrium/balance.h>
+#include <riedel/equilibrium/predictor.h>
+#include <riedel/equilibrium/scheme.h>
+#include <riedel/equilibrium/step_control.h>
+#include <riedel/grid/body.h>
+#include <riedel/grid/space.h>
+#include <riedel/output/fields.h>
+#include <riedel/output/log.h>
+#include <riedel/output/results_folder.h>
+#include <riedel/output/rows.h>
+#include <riedel/output/table.h>
+#include <riedel/output/watch.h>
+#include <riedel/points/initial_supports.h>
+#include <riedel/points/material_points.h>
+#include <riedel/scene/command_line.h>
+#include <riedel/scene/scene.h>
+#include <riedel/timer.h>
+
+#include <chrono>
+#include <memory>
+
+namespace Riedel
+{
+  /**
+   * A boundary value problem from its first to its last load step. Owns the
+   * body, the grid's unknowns, the points, the equations and the files.
+   */
+  template <int dim>
+  class Simulation
+  {
+  public:
+    Simulation(const MPI_Comm               communicator,
+               const Scene::Scene<dim>     &scene,
+               const Output::ResultsFolder &folder);
+
+    /// Computes all steps. Throws ComputationError if a step cannot be solved;
+    /// everything up to the last good step is on disk then.
+    void
+    run();
+
+  private:
+    void
+    start();
+    bool
+    solve_step();
+    void
+    accept_step();
+    void
+    record_step();
+    void
+    write_fields();
+    void
+    measure_bands();
+    void
+    finish();
+
+    double
+    next_mark(const double every) const;
+    Output::StepRecord<dim>
+    make_record() const;
+    double
+    wall_seconds() const;
+
+    const MPI_Comm                              communicator;
+    const Scene::Scene<dim>                    &scene;
+    const Output::ResultsFolder                &folder;
+    const bool                                  is_first_rank;
+    Timer                                       timer;
+    const std::chrono::steady_clock::time_point wall_start;
+
+    Grid::Body<dim>                            body;
+    Grid::Space<dim>                           space;
+    Points::MaterialPoints<dim>                points;
+    Points::InitialSupports<dim>               supports;
+    std::unique_ptr<Equilibrium::Balance<dim>> balance;
+    std::unique_ptr<Equilibrium::Scheme<dim>>  scheme;
+    Equilibrium::StepControl                   steps;
+    Equilibrium::Extrapolation                 extrapolation;
+    Analysis::BoundaryAverages<dim>            averages;
+
+    Output::Log         log;
+    Output::Table       history;
+    Output::Table       bands_table;
+    Output::Fields<dim> fields;
+    Output::Watch<dim>  watch;
+
+    /// the longest of the laws' lengths, d50 [m]; 0 without rotations
+    double grain_size = 0.0;
+
+    /// the state of the run
+    unsigned int          n_steps = 0;
+    double                load    = 0.0;
+    LinearAlgebra::Vector solution;
+    std::vector<double>   relevant_solution;
+    LinearAlgebra::Vector increment;
+    LinearAlgebra::Vector forces_before; ///< external, last accepted step
+    Equilibrium::Outcome  outcome;
+    double                external_work = 0.0, stress_work = 0.0;
+    Analysis::ShearBands  bands;
+    double                last_fields = -1.0, last_bands = -1.0;
+    std::size_t           n_floored_points = 0, n_clamped_points = 0;
+  };
+
+  /// Runs what the scene asks for; returns the program's exit code.
+  template <int dim>
+  int
+  run_simulation(const Scene::Scene<dim>  &scene,
+                 const Scene::CommandLine &options);
+} // namespace Riedel

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/continuum/generalised.h>
+#include <riedel/equilibrium/assembly.h>
+#include <riedel/points/strain_operator.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <chrono>
+
+namespace Riedel::Equilibrium
+{
+  namespace
+  {
+    /// Points whose tangents are kept at a time: they should stay in the cache.
+    constexpr unsigned int chunk_size = 512;
+
+
+
+    double
+    seconds_since(const std::chrono::steady_clock::time_point start)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                           start)
+        .count();
+    }
+
+
+
+    void
+    add(SweepReport            &sum,
+        const Material::Report &report,
+        const unsigned int      first_point)
+    {
+      if (sum.total.refused == 0 && report.refused > 0)
+        {
+          sum.first_refused = first_point + report.first_refused;
+          sum.total.reason  = report.reason;
+        }
+      sum.total.floored += report.floored;
+      sum.total.clamped += report.clamped;
+      sum.total.null_deviator += report.null_deviator;
+      sum.total.substeps += report.substeps;
+      sum.total.refused += report.refused;
+    }
+
+
+
+    /// K += volume B^T D B, all row-major; work has n x n_dofs values.
+    void
+    add_stiffness(const unsigned int n,
+                  const unsigned int n_dofs,
+                  const double       volume,
+                  const double      *B,
+                  const double      *D,
+                  double            *work,
+                  double            *K)
+    {
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          double *row = work + a * n_dofs;
+          for (unsigned int j = 0; j < n_dofs; ++j)
+            row[j] = 0.0;
+          for (unsigned int b = 0; b < n; ++b)
+            {
+              const double factor = volume * D[a * n + b];
+              for (unsigned int j = 0; j < n_dofs; ++j)
+                row[j] += factor * B[b * n_dofs + j];
+            }
+        }
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int i = 0; i < n_dofs; ++i)
+          {
+            const double factor = B[a * n_dofs + i];
+            if (factor != 0.0)
+              for (unsigned int j = 0; j < n_dofs; ++j)
+                K[i * n_dofs + j] += factor * work[a * n_dofs + j];
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Assembly<dim>::Assembly(Points::MaterialPoints<dim> &points,
+                          const Points::Supports<dim> &supports,
+                          const VirtualStress<dim>    &virtual_stress)
+    : points(&points)
+    , supports(&supports)
+    , virtual_stress(&virtual_stress)
+    , n_generalised(points.materials().materials.front().law->n_generalised())
+  {
+    resize();
+  }
+
+
+
+  template <int dim>
+  void
+  Assembly<dim>::resize()
+  {
+    increments.assign(points->n_points() * n_generalised, 0.0);
+    stresses_before.assign(increments.size(), 0.0);
+    stresses.assign(increments.size(), 0.0);
+  }
+
+
+
+  template <int dim>
+  void
+  Assembly<dim>::begin_step()
+  {
+    for (const auto &range : points->ranges())
+      {
+        const auto &law = *points->materials().materials[range.material].law;
+        for (unsigned int p = range.first; p < range.last; ++p)
+          law.stresses_at_rest(points->committed(p),
+                               &stresses_before[p * n_generalised]);
+      }
+  }
+
+
+
+  template <int dim>
+  SweepReport
+  Assembly<dim>::forces(const std::vector<double> &u,
+                        const std::vector<double> &du,
+                        std::vector<double>       &forces,
+                        std::vector<double>       &virtual_forces)
+  {
+    return sweep(u, du, forces, virtual_forces, nullptr, nullptr, nullptr);
+  }
+
+
+
+  template <int dim>
+  SweepReport
+  Assembly<dim>::forces_and_stiffness(
+    const std::vector<double>               &u,
+    const std::vector<double>               &du,
+    const dealii::AffineConstraints<double> &constraints,
+    std::vector<double>                     &forces,
+    std::vector<double>                     &virtual_forces,
+    LinearAlgebra::SparseMatrix             &matrix,
+    LinearAlgebra::Vector                   &right_hand_side)
+  {
+    return sweep(
+      u, du, forces, virtual_forces, &constraints, &matrix, &right_hand_side);
+  }
+
+
+
+  template <int dim>
+  SweepReport
+  Assembly<dim>::sweep(const std::vector<double>               &u,
+                       const std::vector<double>               &du,
+                       std::vector<double>                     &forces,
+                       std::vector<double>                     &virtual_forces,
+                       const dealii::AffineConstraints<double> *constraints,
+                       LinearAlgebra::SparseMatrix             *matrix,
+                       LinearAlgebra::Vector                   *right_hand_side)
+  {
+    using Patch                       = typename Points::Supports<dim>::Patch;
+    const unsigned int n              = n_generalised;
+    const bool         with_stiffness = (matrix != nullptr);
+    const auto        &patches        = supports->patches;
+
+    SweepReport         report;
+    std::vector<double> values, local_forces, local_virtual, B, work;
+    typename VirtualStress<dim>::AtPoint         field;
+    dealii::FullMatrix<double>                   K;
+    dealii::Vector<double>                       zero;
+    std::vector<dealii::types::global_dof_index> global;
+
+    for (std::size_t first = 0; first < patches.size();)
+      {
+        // A chunk: neighbouring patches of one material.
+        std::size_t  last     = first;
+        unsigned int n_points = 0;
+        while (
+          last < patches.size() &&
+          patches[last].material == patches[first].material &&
+          (last == first || n_points + patches[last].n_points <= chunk_size))
+          n_points += patches[last++].n_points;
+        const unsigned int first_point = patches[first].first_point;
+        const auto        &law =
+          *points->materials().materials[patches[first].material].law;
+
+        for (std::size_t k = first; k < last; ++k)
+          {
+            const Patch &patch = patches[k];
+            values.resize(patch.n_dofs);
+            for (unsigned int i = 0; i < patch.n_dofs; ++i)
+              values[i] = du[supports->dofs[patch.first_dof + i]];
+            for (unsigned int q = 0; q < patch.n_points; ++q)
+              Points::StrainOperator<dim>(*supports, patch, q)
+                .increments(values.data(),
+                            &increments[(patch.first_point + q) * n]);
+          }
+
+        if (with_stiffness)
+          tangents.resize(n_points * n * n);
+        Material::Batch batch;
+        batch.n_points   = n_points;
+        batch.increments = &increments[first_point * n];
+        batch.committed  = points->committed(first_point);
+        batch.trial      = points->trial(first_point);
+        batch.stresses   = &stresses[first_point * n];
+        batch.tangents   = with_stiffness ? tangents.data() : nullptr;
+        const auto start = std::chrono::steady_clock::now();
+        add(report, law.respond(batch), first_point);
+        const double seconds = seconds_since(start);
+        (with_stiffness ? law_cost.tangent_seconds : law_cost.value_seconds) +=
+          seconds;
+        (with_stiffness ? law_cost.tangent_points : law_cost.value_points) +=
+          n_points;
+        if (report.total.refused > 0)
+          {
+            first = last;
+            continue;
+          }
+
+        for (std::size_t k = first; k < last; ++k)
+          {
+            const Patch        &patch = patches[k];
+            const unsigned int *dofs  = &supports->dofs[patch.first_dof];
+            local_forces.assign(patch.n_dofs, 0.0);
+            local_virtual.assign(patch.n_dofs, 0.0);
+            if (with_stiffness)
+              {
+                K.reinit(patch.n_dofs, patch.n_dofs);
+                B.resize(n * patch.n_dofs);
+                work.resize(n * patch.n_dofs);
+              }
+
+            for (unsigned int q = 0; q < patch.n_points; ++q)
+              {
+                const unsigned int                p = patch.first_point + q;
+                const double                      V = supports->volume[p];
+                const Points::StrainOperator<dim> rows(*supports, patch, q);
+                const double                     *stress = &stresses[p * n];
+                double                           *D      = with_stiffness ?
+                                                             &tangents[(p - first_point) * n * n] :
+                                                             nullptr;
+
+                if (!virtual_stress->is_empty())
+                  {
+                    const double *weight =
+                      &supports->weight[patch.first_weight + q * patch.n_nodes];
+                    dealii::Point<dim> x = points->initial_position(p);
+                    for (unsigned int d = 0; d < dim; ++d)
+                      for (unsigned int a = 0; a < patch.n_nodes; ++a)
+                        {
+                          const unsigned int dof = dofs[d * patch.n_nodes + a];
+                          x[d] += weight[a] * (u[dof] + du[dof]);
+                        }
+                    virtual_stress->evaluate(
+                      x, &increments[p * n], n, field, D);
+                    rows.add_forces(field.stresses, V, local_virtual.data());
+                    for (unsigned int d = 0; d < dim; ++d)
+                      for (unsigned int a = 0; a < patch.n_nodes; ++a)
+                        local_virtual[d * patch.n_nodes + a] +=
+                          V * field.body_force[d] * weight[a];
+                  }
+
+                rows.add_forces(stress, V, local_forces.data());
+                if (with_stiffness)
+                  {
+                    rows.fill(B.data());
+                    add_stiffness(
+                      n, patch.n_dofs, V, B.data(), D, work.data(), &K(0, 0));
+                  }
+              }
+
+            for (unsigned int i = 0; i < patch.n_dofs; ++i)
+              {
+                forces[dofs[i]] += local_forces[i];
+                virtual_forces[dofs[i]] += local_virtual[i];
+              }
+            if (with_stiffness)
+              {
+                zero.reinit(patch.n_dofs);
+                global.assign(&supports->global_dofs[patch.first_dof],
+                              &supports->global_dofs[patch.first_dof] +
+                                patch.n_dofs);
+                constraints->distribute_local_to_global(
+                  K, zero, global, *matrix, *right_hand_side, true);
+              }
+          }
+        first = last;
+      }
+    return report;
+  }
+
+
+
+  template <int dim>
+  double
+  Assembly<dim>::stress_work() const
+  {
+    double work = 0.0;
+    for (unsigned int p = 0; p < points->n_points(); ++p)
+      for (unsigned int a = 0; a < n_generalised; ++a)
+        {
+          const unsigned int i = p * n_generalised + a;
+          work += 0.5 * supports->volume[p] *
+                  (stresses_before[i] + stresses[i]) * increments[i];
+        }
+    return work;
+  }
+
+
+
+  template class Assembly<2>;
+} // namespace Riedel::Equilibrium

@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/equilibrium/balance.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Riedel::Equilibrium
+{
+  namespace
+  {
+    /// A surface as plain numbers, to be summed over the ranks.
+    template <int dim>
+    std::vector<typename Loads<dim>::Surface>
+    sum_over_ranks(const std::vector<typename Loads<dim>::Surface> &surfaces,
+                   const MPI_Comm communicator)
+    {
+      std::vector<double> numbers;
+      for (const auto &surface : surfaces)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (const auto *vector : {&surface.force,
+                                     &surface.normal_area,
+                                     &surface.initial_normal_area})
+            numbers.push_back((*vector)[d]);
+      std::vector<double> sums(numbers.size());
+      dealii::Utilities::MPI::sum(numbers, communicator, sums);
+
+      auto result = surfaces;
+      auto number = sums.begin();
+      for (auto &surface : result)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (auto *vector : {&surface.force,
+                               &surface.normal_area,
+                               &surface.initial_normal_area})
+            (*vector)[d] = *number++;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Balance<dim>::Balance(
+    const BoundaryConditionParameters<dim> &boundary_parameters,
+    const LoadingParameters<dim>           &loading,
+    const SolverParameters                 &solver_parameters,
+    const Grid::Body<dim>                  &body,
+    const Grid::Space<dim>                 &space,
+    Points::MaterialPoints<dim>            &points,
+    const Points::Supports<dim>            &supports,
+    Timer                                  &timer)
+    : boundary_parameters(&boundary_parameters)
+    , loading(&loading)
+    , parameters(&solver_parameters)
+    , space(&space)
+    , points(&points)
+    , supports(&supports)
+    , timer(&timer)
+    , conditions(boundary_parameters, body, space)
+    , loads(boundary_parameters, loading, body, space)
+    , virtual_stress(boundary_parameters)
+    , assembly(points, supports, virtual_stress)
+    , length(0.0)
+  {
+    for (const auto &material : points.materials().materials)
+      length = std::max(length, material.law->length());
+    if (length == 0.0)
+      length = 1.0; // no rotations, or a law without bending stiffness
+
+    // Dofs of prescribed values keep their diagonal entry.
+    LinearAlgebra::SparsityPattern               pattern(space.owned(),
+                                           space.owned(),
+                                           space.relevant(),
+                                           space.communicator());
+    std::vector<dealii::types::global_dof_index> dofs;
+    for (const auto &patch : supports.patches)
+      {
+        dofs.assign(supports.global_dofs.begin() + patch.first_dof,
+                    supports.global_dofs.begin() + patch.first_dof +
+                      patch.n_dofs);
+        conditions.homogeneous().add_entries_local_to_global(dofs,
+                                                             pattern,
+                                                             false);
+      }
+    pattern.compress();
+    matrix.reinit(pattern);
+    solver = DirectSolver::create(solver_parameters.solver, matrix);
+
+    external        = space.owned_vector();
+    reaction        = space.owned_vector();
+    squared_lengths = space.owned_vector();
+    is_prescribed.assign(space.owned().n_elements(), false);
+    is_rotation.assign(space.owned().n_elements(), false);
+    for (const auto &dof : conditions.prescribed())
+      if (dof.owned)
+        is_prescribed[space.owned().index_within_set(
+          space.relevant().nth_index_in_set(dof.dof))] = true;
+    for (unsigned int i = 0; i < is_rotation.size(); ++i)
+      {
+        const unsigned int local =
+          space.local(space.owned().nth_index_in_set(i));
+        is_rotation[i]             = space.components()[local] >= dim;
+        squared_lengths.begin()[i] = is_rotation[i] ? length * length : 1.0;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::begin_step(const std::vector<double> &u, const double s)
+  {
+    start = u;
+    assembly.begin_step();
+    set_load(s);
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::set_load(const double s)
+  {
+    load = s;
+    prescribed.assign(start.size(), 0.0);
+    for (const auto &dof : conditions.prescribed())
+      prescribed[dof.dof] = conditions.value(dof, s) - start[dof.dof];
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::impose(LinearAlgebra::Vector &du) const
+  {
+    double *values = du.begin();
+    for (const auto &dof : conditions.prescribed())
+      if (dof.owned)
+        values[space->owned().index_within_set(
+          space->relevant().nth_index_in_set(dof.dof))] = prescribed[dof.dof];
+    space->hanging_nodes().distribute(du);
+  }
+
+
+
+  template <int dim>
+  Residual
+  Balance<dim>::residual(const LinearAlgebra::Vector &du,
+                         LinearAlgebra::Vector       &r)
+  {
+    const Timer::Scope scope(*timer, "residual sweeps");
+    ++n_sweeps;
+    return evaluate(du, r, nullptr, nullptr);
+  }
+
+
+
+  template <int dim>
+  Residual
+  Balance<dim>::linearise(const LinearAlgebra::Vector &du,
+                          LinearAlgebra::Vector       &r)
+  {
+    Residual result;
+    {
+      const Timer::Scope    scope(*timer, "assembly of the stiffness");
+      LinearAlgebra::Vector unused = space->owned_vector();
+      matrix                       = 0.0;
+      result = evaluate(du, r, &conditions.homogeneous(), &unused);
+      matrix.compress(dealii::VectorOperation::add);
+    }
+    if (!result.refused)
+      {
+        const Timer::Scope scope(*timer, "factorisation");
+        solver->factorise();
+        ++n_factorisations;
+        factorised = true;
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::correction(const LinearAlgebra::Vector &r,
+                           LinearAlgebra::Vector       &delta)
+  {
+    const Timer::Scope scope(*timer, "solution with factors");
+    solver->solve(r, delta);
+    delta *= -1.0;
+    space->hanging_nodes().distribute(delta);
+  }
+
+
+
+  template <int dim>
+  Residual
+  Balance<dim>::predict_with_tangent(LinearAlgebra::Vector &du)
+  {
+    LinearAlgebra::Vector r           = space->owned_vector();
+    LinearAlgebra::Vector right_side  = space->owned_vector();
+    const auto            constraints = conditions.with_increments(prescribed);
+    Residual              result;
+    du = 0.0;
+    {
+      const Timer::Scope scope(*timer, "assembly of the stiffness");
+      matrix = 0.0;
+      result = evaluate(du, r, &constraints, &right_side);
+      matrix.compress(dealii::VectorOperation::add);
+      right_side.compress(dealii::VectorOperation::add);
+    }
+    if (result.refused)
+      return result;
+    {
+      const Timer::Scope scope(*timer, "factorisation");
+      solver->factorise();
+      ++n_factorisations;
+      factorised = true;
+    }
+    // r is zero at prescribed dofs, where the right side has their value
+    right_side -= r;
+    const Timer::Scope scope(*timer, "solution with factors");
+    solver->solve(right_side, du);
+    impose(du);
+    return result;
+  }
+
+
+
+  template <int dim>
+  Residual
+  Balance<dim>::evaluate(const LinearAlgebra::Vector             &du,
+                         LinearAlgebra::Vector                   &r,
+                         const dealii::AffineConstraints<double> *constraints,
+                         LinearAlgebra::Vector *right_hand_side)
+  {
+    const MPI_Comm communicator = space->communicator();
+    const bool     with_matrix  = (constraints != nullptr);
+
+    space->gather(du, increment);
+    applied.assign(increment.size(), 0.0);
+    loads.add_body_forces(*supports, *points, load, applied);
+
+    typename Loads<dim>::AddMatrix add_matrix;
+    dealii::FullMatrix<double>     local_matrix;
+    dealii::Vector<double>         zero;
+    if (with_matrix)
+      add_matrix = [&](const std::vector<dealii::types::global_dof_index> &dofs,
+                       const std::vector<double> &values) {
+        local_matrix.reinit(dofs.size(), dofs.size());
+        std::copy(values.begin(), values.end(), &local_matrix(0, 0));
+        zero.reinit(dofs.size());
+        constraints->distribute_local_to_global(
+          local_matrix, zero, dofs, matrix, *right_hand_side, true);
+      };
+    std::vector<double> present = start;
+    for (unsigned int i = 0; i < present.size(); ++i)
+      present[i] += increment[i];
+    loads.add_surface_loads(present, load, applied, add_matrix);
+    surfaces = sum_over_ranks<dim>(loads.surfaces(), communicator);
+    virtual_stress.set(surfaces, load);
+
+    internal.assign(increment.size(), 0.0);
+    virtual_forces.assign(increment.size(), 0.0);
+    Residual result;
+    result.sweep =
+      with_matrix ? assembly.forces_and_stiffness(start,
+                                                  increment,
+                                                  *constraints,
+                                                  internal,
+                                                  virtual_forces,
+                                                  matrix,
+                                                  *right_hand_side) :
+                    assembly.forces(start, increment, internal, virtual_forces);
+
+    // Forces at hanging nodes go to their masters.
+    for (const auto &line : space->hanging_nodes().get_lines())
+      for (auto *forces : {&internal, &applied, &virtual_forces})
+        {
+          double &force = (*forces)[space->local(line.index)];
+          for (const auto &[master, weight] : line.entries)
+            (*forces)[space->local(master)] += weight * force;
+          force = 0.0;
+        }
+
+    // reaction = internal - applied: what a virtual stress does to walls is
+    // not a force there
+    r = 0.0;
+    space->scatter_add(internal, r);
+    external = 0.0;
+    space->scatter_add(applied, external);
+    reaction = r;
+    reaction -= external;
+    LinearAlgebra::Vector virtual_vector = space->owned_vector();
+    if (!virtual_stress.is_empty())
+      {
+        space->scatter_add(virtual_forces, virtual_vector);
+        external += virtual_vector;
+      }
+
+    double *out          = external.begin();
+    double *r_out        = r.begin();
+    double *reaction_out = reaction.begin();
+    // squares: free forces, free moments, reactions, loads; counts of points
+    std::vector<double> sums(9, 0.0);
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      {
+        const double scale = is_rotation[i] ? 1.0 / (length * length) : 1.0;
+        sums[3] += scale * out[i] * out[i];
+        if (is_prescribed[i])
+          {
+            sums[2] += scale * reaction_out[i] * reaction_out[i];
+            out[i]   = r_out[i];
+            r_out[i] = 0.0;
+          }
+        else
+          {
+            r_out[i] -= out[i];
+            reaction_out[i] = 0.0;
+            sums[is_rotation[i] ? 1 : 0] += scale * r_out[i] * r_out[i];
+          }
+      }
+    const auto &report = result.sweep.total;
+    sums[4]            = report.refused;
+    sums[5]            = report.floored;
+    sums[6]            = report.clamped;
+    sums[7]            = report.null_deviator;
+    sums[8]            = static_cast<double>(report.substeps);
+    std::vector<double> all(sums.size());
+    dealii::Utilities::MPI::sum(sums, communicator, all);
+
+    result.force                     = std::sqrt(all[0]);
+    result.moment                    = std::sqrt(all[1]);
+    result.reference                 = std::sqrt(std::max(all[2], all[3]));
+    result.refused                   = all[4] > 0;
+    result.sweep.total.refused       = static_cast<unsigned int>(all[4]);
+    result.sweep.total.floored       = static_cast<unsigned int>(all[5]);
+    result.sweep.total.clamped       = static_cast<unsigned int>(all[6]);
+    result.sweep.total.null_deviator = static_cast<unsigned int>(all[7]);
+    result.sweep.total.substeps      = static_cast<unsigned long long>(all[8]);
+    // a body without any force is in balance
+    if (result.reference == 0.0)
+      result.reference = std::numeric_limits<double>::min();
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename Balance<dim>::Reaction>
+  Balance<dim>::reactions() const
+  {
+    const unsigned int  n = boundary_parameters->boundaries.size();
+    std::vector<double> numbers(n * (dim + 1), 0.0);
+    for (const auto &dof : conditions.prescribed())
+      if (dof.owned)
+        {
+          const unsigned int place = space->owned().index_within_set(
+            space->relevant().nth_index_in_set(dof.dof));
+          const double              force = reaction.begin()[place];
+          double                   *here  = &numbers[dof.boundary * (dim + 1)];
+          const dealii::Point<dim> &X     = space->nodes()[dof.dof];
+          if (dof.component < dim)
+            here[dof.component] += force;
+          if constexpr (dim == 2)
+            {
+              if (dof.component == 0)
+                here[dim] -= X[1] * force;
+              else if (dof.component == 1)
+                here[dim] += X[0] * force;
+              else
+                here[dim] += force;
+            }
+        }
+    std::vector<double> sums(numbers.size());
+    dealii::Utilities::MPI::sum(numbers, space->communicator(), sums);
+
+    std::vector<Reaction> result(n);
+    for (unsigned int b = 0; b < n; ++b)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          result[b].force[d] = sums[b * (dim + 1) + d] + surfaces[b].force[d];
+        result[b].moment = sums[b * (dim + 1) + dim];
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  Balance<dim>::stress_work() const
+  {
+    return dealii::Utilities::MPI::sum(assembly.stress_work(),
+                                       space->communicator());
+  }
+
+
+
+  template <int dim>
+  std::string
+  Balance<dim>::describe_worst(const LinearAlgebra::Vector &r) const
+  {
+    double       largest = 0.0;
+    unsigned int place   = 0;
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      {
+        const double value =
+          std::abs(r.begin()[i]) / (is_rotation[i] ? length : 1.0);
+        if (value > largest)
+          {
+            largest = value;
+            place   = i;
+          }
+      }
+    const MPI_Comm communicator = space->communicator();
+    const auto     over_ranks =
+      dealii::Utilities::MPI::min_max_avg(largest, communicator);
+    std::string text;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) ==
+          over_ranks.max_index &&
+        largest > 0.0)
+      {
+        const unsigned int local =
+          space->local(space->owned().nth_index_in_set(place));
+        const unsigned int component = space->components()[local];
+        std::ostringstream stream;
+        stream << "the largest is "
+               << (component < dim ? "force " + std::to_string(component + 1) :
+                                     std::string("moment"))
+               << " at the node (" << space->nodes()[local] << ") m";
+        text = stream.str();
+      }
+    return dealii::Utilities::MPI::broadcast(communicator,
+                                             text,
+                                             over_ranks.max_index);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Balance<dim>::describe_refusal(const Residual &residual) const
+  {
+    const MPI_Comm communicator = space->communicator();
+    std::string    text;
+    const bool     mine =
+      residual.sweep.total.reason != Material::Report::Refusal::none;
+    if (mine)
+      {
+        const unsigned int p = residual.sweep.first_refused;
+        std::ostringstream stream;
+        stream << "point " << points->id(p) << " (initially at "
+               << points->initial_position(p)
+               << " m): " << Material::describe(residual.sweep.total.reason);
+        text = stream.str();
+      }
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int first =
+      dealii::Utilities::MPI::min(mine ? rank : n, communicator);
+    return first == n ?
+             std::string() :
+             dealii::Utilities::MPI::broadcast(communicator, text, first);
+  }
+
+
+
+  template class Balance<2>;
+} // namespace Riedel::Equilibrium

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/equilibrium/loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+
+namespace Riedel::Equilibrium
+{
+  namespace
+  {
+    /// The face's own coordinate xi runs along this direction of the cell.
+    template <int dim>
+    dealii::Tensor<1, dim>
+    face_direction(const unsigned int face)
+    {
+      static_assert(dim == 2, "surface loads on faces are written for 2D");
+      dealii::Tensor<1, dim> direction;
+      direction[1 - face / 2] = 1.0;
+      return direction;
+    }
+
+
+
+    /// +1 if (t_2, -t_1) points outwards for the tangent t along
+    /// face_direction().
+    double
+    outward_sign(const unsigned int face)
+    {
+      // left: t = e_y -> (1, 0) points inwards; right: outwards;
+      // bottom: t = e_x -> (0, -1) points outwards; top: inwards
+      return (face == 0 || face == 3) ? -1.0 : 1.0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Loads<dim>::Loads(const BoundaryConditionParameters<dim> &boundaries,
+                    const LoadingParameters<dim>           &loading,
+                    const Grid::Body<dim>                  &body,
+                    const Grid::Space<dim>                 &space)
+    : parameters(&boundaries)
+    , loading(&loading)
+    , space(&space)
+    , surface(boundaries.boundaries.size())
+  {
+    const auto &fe = space.element();
+    for (unsigned int c = 0; c < space.n_components(); ++c)
+      for (unsigned int a = 0;
+           a < fe.base_element(c < dim ? 0 : 1).n_dofs_per_cell();
+           ++a)
+        dof_order.push_back(fe.component_to_system_index(c, a));
+
+    const dealii::FE_Q<dim>                      geometry(1);
+    const dealii::QGauss<1>                      rule(fe.degree + 1);
+    std::vector<dealii::types::global_dof_index> cell_dofs(
+      fe.n_dofs_per_cell());
+
+    for (unsigned int b = 0; b < boundaries.boundaries.size(); ++b)
+      {
+        const auto &boundary = boundaries.boundaries[b];
+        bool        loaded   = boundary.pressure.given();
+        for (const auto &formula : boundary.traction)
+          loaded = loaded || formula.given();
+        for (const auto &formula : boundary.couple_traction)
+          loaded = loaded || formula.given();
+        if (!loaded)
+          continue;
+
+        const auto id = body.boundary(boundary.name);
+        for (const auto &cell : space.dof_handler().active_cell_iterators())
+          if (cell->is_locally_owned())
+            for (const unsigned int f : cell->face_indices())
+              if (cell->face(f)->at_boundary() &&
+                  cell->face(f)->boundary_id() == id)
+                {
+                  const std::size_t first_dof = dofs.size();
+                  cell->get_dof_indices(cell_dofs);
+                  for (const unsigned int i : dof_order)
+                    dofs.push_back(space.local(cell_dofs[i]));
+
+                  const auto direction = face_direction<dim>(f);
+                  for (unsigned int q = 0; q < rule.size(); ++q)
+                    {
+                      dealii::Point<dim> place;
+                      place[f / 2]     = f % 2;
+                      place[1 - f / 2] = rule.point(q)[0];
+
+                      FacePoint point;
+                      point.boundary  = b;
+                      point.first_dof = first_dof;
+                      point.weight    = rule.weight(q);
+                      for (const unsigned int v : cell->vertex_indices())
+                        {
+                          point.position +=
+                            geometry.shape_value(v, place) * cell->vertex(v);
+                          point.tangent +=
+                            (geometry.shape_grad(v, place) * direction) *
+                            cell->vertex(v);
+                        }
+                      const double sign = outward_sign(f);
+                      point.tangent *= sign;
+                      const auto &u = fe.base_element(0);
+                      for (unsigned int a = 0; a < u.n_dofs_per_cell(); ++a)
+                        {
+                          point.shape.push_back(u.shape_value(a, place));
+                          point.slope.push_back(
+                            sign * (u.shape_grad(a, place) * direction));
+                        }
+                      if (space.is_micropolar())
+                        {
+                          const auto &w = fe.base_element(1);
+                          for (unsigned int a = 0; a < w.n_dofs_per_cell(); ++a)
+                            point.rotation_shape.push_back(
+                              w.shape_value(a, place));
+                        }
+                      face_points.push_back(point);
+                    }
+                }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_body_forces(const Points::Supports<dim>       &supports,
+                              const Points::MaterialPoints<dim> &points,
+                              const double                       s,
+                              std::vector<double>               &forces) const
+  {
+    constexpr unsigned int up = dim - 1;
+    for (const auto &patch : supports.patches)
+      for (unsigned int q = 0; q < patch.n_points; ++q)
+        {
+          const unsigned int p   = patch.first_point + q;
+          const double      *row = points.row(p);
+          const double       V0  = row[points.place.initial_volume];
+          const auto        &X   = points.initial_position(p);
+
+          dealii::Tensor<1, dim> force;
+          force[up] = -row[points.place.mass] * Points::gravity;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (loading->body_force[d].given())
+              force[d] += V0 * loading->body_force[d](X, s);
+
+          const double *weight =
+            supports.weight.data() + patch.first_weight + q * patch.n_nodes;
+          const unsigned int *dof = supports.dofs.data() + patch.first_dof;
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int a = 0; a < patch.n_nodes; ++a)
+              forces[dof[d * patch.n_nodes + a]] += force[d] * weight[a];
+
+          if (patch.n_rotation_nodes > 0)
+            for (unsigned int k = 0; k < n_spin; ++k)
+              if (loading->body_couple[k].given())
+                {
+                  const double  couple = V0 * loading->body_couple[k](X, s);
+                  const double *spin   = supports.spin_weight.data() +
+                                       patch.first_rotation_weight +
+                                       q * patch.n_rotation_nodes;
+                  for (unsigned int a = 0; a < patch.n_rotation_nodes; ++a)
+                    forces[dof[dim * patch.n_nodes +
+                               k * patch.n_rotation_nodes + a]] +=
+                      couple * spin[a];
+                }
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_surface_loads(const std::vector<double> &u,
+                                const double               s,
+                                std::vector<double>       &forces,
+                                const AddMatrix           &add_matrix) const
+  {
+    surface.assign(surface.size(), Surface());
+    std::vector<dealii::types::global_dof_index> global;
+    std::vector<double>                          matrix;
+
+    for (const FacePoint &point : face_points)
+      {
+        const auto         &boundary = parameters->boundaries[point.boundary];
+        const unsigned int  n        = point.shape.size();
+        const unsigned int  nw       = point.rotation_shape.size();
+        const unsigned int *dof      = dofs.data() + point.first_dof;
+        const bool          follows  = boundary.area == LoadArea::current;
+
+        const auto normal = [](const dealii::Tensor<1, dim> &t) {
+          dealii::Tensor<1, dim> result;
+          result[0] = t[1];
+          result[1] = -t[0];
+          return result;
+        };
+        dealii::Tensor<1, dim> present = point.tangent;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int a = 0; a < n; ++a)
+            present[d] += u[dof[d * n + a]] * point.slope[a];
+        auto &sum = surface[point.boundary];
+        sum.normal_area += point.weight * normal(present);
+        sum.initial_normal_area += point.weight * normal(point.tangent);
+        const dealii::Tensor<1, dim> tangent =
+          (follows ? present : point.tangent);
+
+        // Force per d(xi), and its derivative with respect to the tangent.
+        dealii::Tensor<1, dim> force;
+        dealii::Tensor<2, dim> derivative;
+        if (boundary.pressure.given())
+          {
+            const double p = boundary.pressure(point.position, s);
+            sum.force -= point.weight * p * normal(tangent);
+            if (boundary.form == LoadForm::surface_integral)
+              {
+                force -= p * normal(tangent);
+                derivative[0][1] -= p;
+                derivative[1][0] += p;
+              }
+          }
+        const double length = tangent.norm();
+        for (unsigned int d = 0; d < dim; ++d)
+          if (boundary.traction[d].given())
+            {
+              const double t = boundary.traction[d](point.position, s);
+              force[d] += t * length;
+              sum.force[d] += point.weight * t * length;
+              for (unsigned int e = 0; e < dim; ++e)
+                derivative[d][e] += t * tangent[e] / length;
+            }
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int a = 0; a < n; ++a)
+            forces[dof[d * n + a]] += point.weight * force[d] * point.shape[a];
+
+        if (boundary.couple_traction[0].given() && nw > 0)
+          {
+            const double couple =
+              boundary.couple_traction[0](point.position, s) * length;
+            for (unsigned int a = 0; a < nw; ++a)
+              forces[dof[dim * n + a]] +=
+                point.weight * couple * point.rotation_shape[a];
+          }
+
+        if (add_matrix && follows)
+          {
+            global.resize(dim * n);
+            matrix.assign(dim * n * dim * n, 0.0);
+            for (unsigned int i = 0; i < dim * n; ++i)
+              global[i] = space->relevant().nth_index_in_set(dof[i]);
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int a = 0; a < n; ++a)
+                for (unsigned int e = 0; e < dim; ++e)
+                  for (unsigned int b = 0; b < n; ++b)
+                    matrix[(d * n + a) * dim * n + e * n + b] -=
+                      point.weight * point.shape[a] * derivative[d][e] *
+                      point.slope[b];
+            add_matrix(global, matrix);
+          }
+      }
+  }
+
+
+
+  template class Loads<2>;
+} // namespace Riedel::Equilibrium

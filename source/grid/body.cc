@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/compat.h>
+#include <riedel/grid/body.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <fstream>
+
+namespace Riedel::Grid
+{
+  namespace
+  {
+    template <int dim>
+    void
+    make_box(const GeometryParameters        &geometry,
+             const std::vector<unsigned int> &cells,
+             dealii::Triangulation<dim>      &tria)
+    {
+      dealii::Point<dim> lower, upper;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          lower[d] = geometry.origin.empty() ? 0.0 : geometry.origin[d];
+          upper[d] = lower[d] + geometry.box[d];
+        }
+      dealii::GridGenerator::subdivided_hyper_rectangle(
+        tria, cells, lower, upper, /*colorize=*/true);
+    }
+
+
+
+    template <int dim>
+    void
+    read_file(const std::string &file, dealii::Triangulation<dim> &tria)
+    {
+      std::ifstream stream(file);
+      if (!stream)
+        throw InputError("The grid file '" + file +
+                         "' of Geometry/File cannot be opened.");
+      dealii::GridIn<dim> reader(tria);
+      try
+        {
+          const std::string ending = file.substr(file.rfind('.') + 1);
+          reader.read(stream, dealii::GridIn<dim>::parse_format(ending));
+        }
+      catch (const dealii::ExceptionBase &exception)
+        {
+          throw InputError("The grid file '" + file +
+                           "' of Geometry/File cannot be read:\n" +
+                           exception.what());
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Body<dim>::Body(const MPI_Comm            communicator,
+                  const GeometryParameters &geometry,
+                  const Parameters         &parameters)
+    : tria(communicator)
+    , names(geometry.boundary_names)
+  {
+    if (geometry.file.empty())
+      make_box(geometry, parameters.cells, tria);
+    else
+      read_file(geometry.file, tria);
+
+    for (const auto id : tria.get_boundary_ids())
+      if (names.count(id) == 0)
+        throw InputError("The boundary " + std::to_string(id) +
+                         " of the grid has no name: add '" +
+                         std::to_string(id) +
+                         ": its name' to Geometry/Boundary names.");
+
+    // before refinement: every rank still knows all cells here
+    box = dealii::GridTools::compute_bounding_box(tria);
+    tria.refine_global(parameters.refinements);
+  }
+
+
+
+  template <int dim>
+  dealii::types::boundary_id
+  Body<dim>::boundary(const std::string &name) const
+  {
+    for (const auto &[id, its_name] : names)
+      if (its_name == name)
+        return id;
+    throw std::out_of_range("no boundary is called " + name);
+  }
+
+
+
+  template class Body<2>;
+} // namespace Riedel::Grid

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/grid/parameters.h>
+#include <riedel/pattern.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <filesystem>
+#include <set>
+
+namespace Riedel::Grid
+{
+  using dealii::ParameterHandler;
+  namespace Patterns  = dealii::Patterns;
+  namespace Utilities = dealii::Utilities;
+
+  void
+  GeometryParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Geometry");
+    prm.declare_entry(
+      "Box",
+      "",
+      Patterns::List(Patterns::Double(0), 0, 3),
+      "Edge lengths of a rectangular body, \"width, height\" [m]. Its "
+      "boundaries are called left, right, bottom and top.");
+    prm.declare_entry("Origin",
+                      "",
+                      Patterns::List(Patterns::Double(), 0, 3),
+                      "Lower left corner of the box [m]; without it, the "
+                      "origin of the coordinates.");
+    prm.declare_entry("File",
+                      "",
+                      FormPattern("the name of a .msh, .inp or .vtk file"),
+                      "A grid file instead of a box: Gmsh (.msh), UCD (.inp) "
+                      "or VTK (.vtk), relative to the working directory.");
+    prm.declare_entry("Boundary names",
+                      "",
+                      FormPattern("0: bottom, 1: right and so on"),
+                      "Names of the boundaries of a grid file by their "
+                      "numbers in it.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  GeometryParameters::parse(ParameterHandler &prm, const unsigned int dim)
+  {
+    dimension = dim;
+    prm.enter_subsection("Geometry");
+    box =
+      Utilities::string_to_double(Utilities::split_string_list(prm.get("Box")));
+    origin = Utilities::string_to_double(
+      Utilities::split_string_list(prm.get("Origin")));
+    if (origin.empty())
+      origin.assign(dim, 0.0);
+    file = prm.get("File");
+
+    boundary_names.clear();
+    for (const std::string &item :
+         Utilities::split_string_list(prm.get("Boundary names")))
+      {
+        const auto parts = Utilities::split_string_list(item, ':');
+        if (parts.size() != 2 || parts[1].empty() ||
+            !Patterns::Integer(0).match(parts[0]))
+          throw ParameterError("Geometry/Boundary names",
+                               "\"" + item +
+                                 "\" is not a number and a name; write "
+                                 "\"0: bottom, 1: right\".");
+        if (!boundary_names
+               .emplace(Utilities::string_to_int(parts[0]), parts[1])
+               .second)
+          throw ParameterError("Geometry/Boundary names",
+                               "The boundary " + parts[0] + " has two names.");
+      }
+    prm.leave_subsection();
+
+    if (!box.empty() && boundary_names.empty())
+      {
+        // the order in which deal.II numbers the sides of a box
+        const std::vector<std::string> sides =
+          dim == 2 ?
+            std::vector<std::string>{"left", "right", "bottom", "top"} :
+            std::vector<std::string>{
+              "left", "right", "front", "back", "bottom", "top"};
+        for (unsigned int side = 0; side < sides.size(); ++side)
+          boundary_names[side] = sides[side];
+      }
+  }
+
+
+
+  void
+  GeometryParameters::check(Problems &problems) const
+  {
+    const std::string entries = std::to_string(dimension) + " entries";
+    if (box.empty() && file.empty())
+      {
+        problems.error("Geometry/Box",
+                       "The body has no shape. Give its edge lengths, for "
+                       "example \"set Box = 0.10, 0.05\", or a grid with "
+                       "\"set File = ...\".");
+        return;
+      }
+    if (!box.empty() && !file.empty())
+      {
+        problems.error("Geometry/File",
+                       "The body has both a Box and a File. Remove one.");
+        return;
+      }
+
+    if (file.empty())
+      {
+        if (box.size() != dimension)
+          problems.error("Geometry/Box",
+                         "The box has " + std::to_string(box.size()) +
+                           " edge lengths; in " + std::to_string(dimension) +
+                           "D it needs " + entries + ".");
+        for (const double length : box)
+          if (!(length > 0.0))
+            {
+              problems.error("Geometry/Box",
+                             "Every edge length must be larger than 0 m.");
+              break;
+            }
+        if (origin.size() != dimension)
+          problems.error("Geometry/Origin",
+                         "The corner has " + std::to_string(origin.size()) +
+                           " coordinates; in " + std::to_string(dimension) +
+                           "D it needs " + entries + ".");
+        if (boundary_names.size() != 2 * dimension)
+          problems.error("Geometry/Boundary names",
+                         "They are for grid files only; the boundaries of a "
+                         "box have names already.");
+        return;
+      }
+
+    if (!std::filesystem::exists(file))
+      problems.error("Geometry/File",
+                     "There is no file \"" + file +
+                       "\" (relative to the working directory).");
+    const std::string type = std::filesystem::path(file).extension().string();
+    if (type != ".msh" && type != ".inp" && type != ".vtk")
+      problems.error("Geometry/File",
+                     "\"" + file +
+                       "\" has an unknown type; its name must end with .msh "
+                       "(Gmsh), .inp (UCD) or .vtk (VTK).");
+    if (boundary_names.empty())
+      problems.error("Geometry/Boundary names",
+                     "The boundaries of a grid file need names: "
+                     "\"set Boundary names = 0: bottom, 1: right\".");
+    std::set<std::string> seen;
+    for (const auto &[id, name] : boundary_names)
+      if (!seen.insert(name).second)
+        problems.error("Geometry/Boundary names",
+                       "Two boundaries are called \"" + name + "\".");
+  }
+
+
+
+  std::vector<std::string>
+  GeometryParameters::names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &[id, name] : boundary_names)
+      names.push_back(name);
+    return names;
+  }
+
+
+
+  void
+  Parameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid");
+    prm.declare_entry("Cells",
+                      "",
+                      Patterns::List(Patterns::Integer(1), 0, 3),
+                      "Number of cells of the box along each axis: "
+                      "\"horizontal, vertical\".");
+    prm.declare_entry("Refinements",
+                      "0",
+                      Patterns::Integer(0, 12),
+                      "How often every cell is divided into four.");
+    prm.declare_entry("Reference configuration",
+                      "initial",
+                      Patterns::Selection("initial"),
+                      "Where the shape functions of a step live: \"initial\" "
+                      "is the undeformed grid, finite elements.");
+    prm.declare_entry("Displacement degree",
+                      "automatic",
+                      Patterns::Selection("1|2|automatic"),
+                      "Polynomial degree of the displacements; automatic is "
+                      "2.");
+    prm.declare_entry("Rotation degree",
+                      "automatic",
+                      Patterns::Selection("1|2|automatic"),
+                      "Polynomial degree of the micro-rotations; automatic is "
+                      "the displacement degree.");
+    prm.declare_entry(
+      "Strain sampling",
+      "automatic",
+      Patterns::Selection("automatic|full|mean dilatation|assumed"),
+      "How the strains of a point are sampled: \"full\" at the point itself; "
+      "\"mean dilatation\" takes the volume change from the cell's mean; "
+      "\"assumed\" interpolates from fewer points of the cell, without "
+      "locking; automatic is assumed for equal degrees, else full.");
+    prm.declare_entry("Own strain fraction",
+                      "0.1",
+                      Patterns::Double(0, 1),
+                      "Share of the point's own strain under assumed sampling; "
+                      "more than 0 keeps hourglass modes out.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  Parameters::parse(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid");
+    cells.clear();
+    for (const std::string &number :
+         Utilities::split_string_list(prm.get("Cells")))
+      cells.push_back(Utilities::string_to_int(number));
+    refinements   = prm.get_integer("Refinements");
+    configuration = ReferenceConfiguration::initial;
+
+    const auto degree = [&prm](const std::string &name,
+                               const unsigned int automatic) {
+      const std::string text = prm.get(name);
+      return text == "automatic" ?
+               automatic :
+               static_cast<unsigned int>(Utilities::string_to_int(text));
+    };
+    displacement_degree = degree("Displacement degree", 2);
+    rotation_degree     = degree("Rotation degree", displacement_degree);
+
+    const std::string text = prm.get("Strain sampling");
+    if (text == "automatic")
+      sampling =
+        (displacement_degree == rotation_degree ? StrainSampling::assumed :
+                                                  StrainSampling::full);
+    else
+      sampling = (text == "full"            ? StrainSampling::full :
+                  text == "mean dilatation" ? StrainSampling::mean_dilatation :
+                                              StrainSampling::assumed);
+    own_strain_fraction = prm.get_double("Own strain fraction");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  Parameters::check(const GeometryParameters &geometry,
+                    Problems                 &problems) const
+  {
+    if (!geometry.file.empty() && !cells.empty())
+      problems.error("Grid/Cells",
+                     "Only a box is divided into Cells; the grid of a file is "
+                     "made finer by Refinements.");
+    else if (geometry.file.empty() && cells.empty())
+      problems.error("Grid/Cells",
+                     "The numbers of cells of the box are missing, for example "
+                     "\"set Cells = 40, 20\".");
+    else if (geometry.file.empty() && cells.size() != geometry.dimension)
+      problems.error("Grid/Cells",
+                     "There are " + std::to_string(cells.size()) +
+                       " numbers of cells; in " +
+                       std::to_string(geometry.dimension) + "D it needs " +
+                       std::to_string(geometry.dimension) + " entries.");
+
+    if (sampling == StrainSampling::assumed &&
+        displacement_degree != rotation_degree)
+      problems.error("Grid/Strain sampling",
+                     "\"assumed\" needs equal degrees of displacement and "
+                     "rotation; here they are " +
+                       std::to_string(displacement_degree) + " and " +
+                       std::to_string(rotation_degree) +
+                       ". Take \"full\" or change a degree.");
+  }
+} // namespace Riedel::Grid

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/compat.h>
+#include <riedel/grid/space.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q1.h>
+
+namespace Riedel::Grid
+{
+  namespace
+  {
+    template <int dim>
+    dealii::FESystem<dim>
+    make_element(const Parameters &parameters, const bool micropolar)
+    {
+      const dealii::FE_Q<dim> displacement(parameters.displacement_degree);
+      const dealii::FE_Q<dim> rotation(parameters.rotation_degree);
+      if (micropolar)
+        return dealii::FESystem<dim>(displacement,
+                                     dim,
+                                     rotation,
+                                     Space<dim>::n_spin);
+      return dealii::FESystem<dim>(displacement, dim);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Space<dim>::Space(const dealii::Triangulation<dim> &triangulation,
+                    const Parameters                 &parameters,
+                    const bool                        micropolar)
+    : micropolar(micropolar)
+    , fe(make_element<dim>(parameters, micropolar))
+    , dofs(triangulation)
+  {
+    distribute();
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::distribute()
+  {
+    dofs.distribute_dofs(fe);
+    owned_dofs = dofs.locally_owned_dofs();
+    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant_dofs);
+
+    Compat::reinit_constraints(hanging, owned_dofs, relevant_dofs);
+    dealii::DoFTools::make_hanging_node_constraints(dofs, hanging);
+    hanging.close();
+
+    const unsigned int n_relevant = relevant_dofs.n_elements();
+    component_of_dof.assign(n_relevant, 0);
+    std::vector<dealii::types::global_dof_index> cell_dofs(
+      fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(cell_dofs);
+          for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+            if (relevant_dofs.is_element(cell_dofs[i]))
+              component_of_dof[local(cell_dofs[i])] =
+                fe.system_to_component_index(i).first;
+        }
+
+    node_positions.assign(n_relevant, dealii::Point<dim>());
+    std::map<dealii::types::global_dof_index, dealii::Point<dim>> positions;
+    dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<dim>(),
+                                                 dofs,
+                                                 positions);
+    for (const auto &[dof, position] : positions)
+      if (relevant_dofs.is_element(dof))
+        node_positions[local(dof)] = position;
+
+    owned_local.clear();
+    ghost_local.clear();
+    for (unsigned int i = 0; i < n_relevant; ++i)
+      {
+        const auto dof = relevant_dofs.nth_index_in_set(i);
+        if (owned_dofs.is_element(dof))
+          owned_local.push_back(i);
+        else
+          ghost_local.emplace_back(i, dof);
+      }
+
+    ghosted.reinit(owned_dofs, relevant_dofs, communicator());
+    for (unsigned int i = 0; i < n_relevant; ++i)
+      AssertThrow(ghosted.trilinos_partitioner().GID(static_cast<int>(i)) ==
+                    static_cast<int>(relevant_dofs.nth_index_in_set(i)),
+                  dealii::ExcMessage(
+                    "Ghosted vectors are not ordered as the relevant dofs."));
+  }
+
+
+
+  template <int dim>
+  MPI_Comm
+  Space<dim>::communicator() const
+  {
+    return Compat::communicator(dofs);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Space<dim>::boundary_dofs(const dealii::types::boundary_id id,
+                            const unsigned int               component) const
+  {
+    dealii::ComponentMask mask(fe.n_components(), false);
+    mask.set(component, true);
+    const dealii::IndexSet on_boundary =
+      dealii::DoFTools::extract_boundary_dofs(dofs, mask, {id});
+    std::vector<unsigned int> result;
+    for (const auto dof : on_boundary)
+      if (relevant_dofs.is_element(dof))
+        result.push_back(local(dof));
+    return result;
+  }
+
+
+
+  template <int dim>
+  LinearAlgebra::Vector
+  Space<dim>::owned_vector() const
+  {
+    return LinearAlgebra::Vector(owned_dofs, communicator());
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::gather(const LinearAlgebra::Vector &owned,
+                     std::vector<double>         &relevant) const
+  {
+    if (ghost_local.empty())
+      {
+        relevant.assign(owned.begin(), owned.end());
+        return;
+      }
+    ghosted = owned;
+    relevant.assign(ghosted.begin(), ghosted.end());
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::scatter_add(const std::vector<double> &relevant,
+                          LinearAlgebra::Vector     &owned) const
+  {
+    double *values = owned.begin();
+    for (unsigned int i = 0; i < owned_local.size(); ++i)
+      values[i] += relevant[owned_local[i]];
+    for (const auto &[i, dof] : ghost_local)
+      if (relevant[i] != 0.0)
+        owned(dof) += relevant[i];
+    owned.compress(dealii::VectorOperation::add);
+  }
+
+
+
+  template class Space<2>;
+} // namespace Riedel::Grid

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/material/law.h>
+#include <riedel/material/linear_elastic_micropolar.h>
+#include <riedel/material/polar_hypoplastic.h>
+
+#include <functional>
+#include <stdexcept>
+
+namespace Riedel::Material
+{
+  namespace
+  {
+    struct KnownLaw
+    {
+      std::string                              name;
+      std::function<std::unique_ptr<Law<2>>()> create;
+    };
+
+    /// A new law is one line here.
+    const std::vector<KnownLaw> &
+    plane_strain_laws()
+    {
+      static const std::vector<KnownLaw> laws = {
+        {"polar hypoplastic", std::make_unique<PolarHypoplastic>},
+        {"hypoplastic", std::make_unique<ClassicalHypoplastic>},
+        {"linear elastic micropolar", std::make_unique<LinearElasticMicropolar>},
+        {"linear elastic", std::make_unique<LinearElasticClassical>}};
+      return laws;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  known_laws()
+  {
+    std::vector<std::string> names;
+    for (const KnownLaw &law : plane_strain_laws())
+      names.push_back(law.name);
+    return names;
+  }
+
+
+
+  template <>
+  std::unique_ptr<Law<2>>
+  create_law<2>(const std::string &name)
+  {
+    for (const KnownLaw &law : plane_strain_laws())
+      if (law.name == name)
+        return law.create();
+    throw std::out_of_range("there is no law '" + name + "'");
+  }
+} // namespace Riedel::Material

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/output/point_fields.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Riedel::Output
+{
+  namespace
+  {
+    /// Degrees; 0 where no principal stress is compressive.
+    double
+    mobilised_friction(const double *stress)
+    {
+      // order of the slot: 11, 22, 33, 12, 21
+      const double mean   = 0.5 * (stress[0] + stress[1]);
+      const double radius = std::hypot(0.5 * (stress[0] - stress[1]),
+                                       0.5 * (stress[3] + stress[4]));
+      const auto [smallest, largest] =
+        std::minmax({mean - radius, mean + radius, stress[2]});
+      const double sum = smallest + largest;
+      if (!(sum < 0.0))
+        return 0.0;
+      return std::asin(std::min((smallest - largest) / sum, 1.0)) * 180.0 /
+             M_PI;
+    }
+  } // namespace
+
+
+
+  PointFields::PointFields(const Material::StateLayout &layout)
+    : stress(layout.find("stress"))
+  {
+    for (const auto &slot : layout.slots())
+      {
+        list.push_back({slot.name, slot.unit, slot.components});
+        for (unsigned int c = 0; c < slot.size(); ++c)
+          places.push_back(slot.first + c);
+      }
+    total = places.size();
+    if (stress != Material::StateLayout::absent)
+      {
+        list.push_back({"mean_stress", "Pa", {""}});
+        list.push_back({"mobilised_friction", "deg", {""}});
+        total += 2;
+      }
+  }
+
+
+
+  std::string
+  PointFields::Field::file_name(const unsigned int component) const
+  {
+    return name + (components[component].empty() ? "" : "_") +
+           components[component] + "(" + unit + ")";
+  }
+
+
+
+  void
+  PointFields::evaluate(const double *row, double *values) const
+  {
+    for (const unsigned int place : places)
+      *values++ = row[place];
+    if (stress != Material::StateLayout::absent)
+      {
+        const double *s = row + stress;
+        *values++       = (s[0] + s[1] + s[2]) / 3.0;
+        *values++       = mobilised_friction(s);
+      }
+  }
+} // namespace Riedel::Output

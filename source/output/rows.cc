@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/output/rows.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Riedel::Output
+{
+  template <int dim>
+  void
+  sum_up_points(const Points::MaterialPoints<dim> &points,
+                const MPI_Comm                     communicator,
+                StepRecord<dim>                   &record)
+  {
+    std::vector<double> here(3, 0.0), all(3);
+    for (unsigned int p = 0; p < points.n_points(); ++p)
+      {
+        here[0] += points.row(p)[points.place.volume];
+        here[1] += points.row(p)[points.place.mass];
+      }
+    here[2] = points.n_points();
+    dealii::Utilities::MPI::sum(here, communicator, all);
+    record.volume   = all[0];
+    record.mass     = all[1];
+    record.n_points = static_cast<std::uint64_t>(all[2]);
+  }
+
+
+
+  template <int dim>
+  Row
+  history_row(const StepRecord<dim> &record)
+  {
+    const std::string per_metre = (dim == 2 ? "/m" : "");
+    Row               row       = {{"step [1]", record.number},
+                                   {"load [1]", record.load},
+                                   {"step size [1]", record.step}};
+
+    for (std::size_t b = 0; b < record.boundaries.size(); ++b)
+      {
+        const std::string &name   = record.boundaries[b];
+        const auto        &values = record.displacements[b];
+        for (unsigned int c = 0; c < values.size(); ++c)
+          if (c < dim)
+            row.emplace_back(name + " u" + std::to_string(c + 1) + " [m]",
+                             values[c]);
+          else
+            row.emplace_back(name + " rotation" +
+                               (dim == 2 ? "" :
+                                           " " + std::to_string(c - dim + 1)) +
+                               " [rad]",
+                             values[c]);
+
+        // a boundary without conditions is free: nothing acts on it
+        typename Equilibrium::Balance<dim>::Reaction reaction;
+        const auto                                   place =
+          std::find(record.supported.begin(), record.supported.end(), name);
+        if (place != record.supported.end())
+          reaction = record.reactions[place - record.supported.begin()];
+        for (unsigned int d = 0; d < dim; ++d)
+          row.emplace_back(name + " force " + std::to_string(d + 1) + " [N" +
+                             per_metre + "]",
+                           reaction.force[d]);
+        row.emplace_back(name + " moment [N" + (dim == 2 ? "" : " m") + "]",
+                         reaction.moment);
+      }
+
+    const auto  &residual = record.outcome.residual;
+    const auto  &report   = residual.sweep.total;
+    const double largest =
+      std::max(std::abs(record.external_work), std::abs(record.stress_work));
+    const Row rest = {
+      {"external work [J" + per_metre + "]", record.external_work},
+      {"stress work [J" + per_metre + "]", record.stress_work},
+      {"energy error [1]",
+       largest > 0.0 ? (record.external_work - record.stress_work) / largest :
+                       0.0},
+      {dim == 2 ? "volume [m2]" : "volume [m3]", record.volume},
+      {"mass [kg" + per_metre + "]", record.mass},
+      {"points [1]", static_cast<double>(record.n_points)},
+      {"iterations [1]", record.outcome.iterations},
+      {"force residual [1]", residual.force / residual.reference},
+      {"moment residual [1]", residual.moment / residual.reference},
+      {"sweeps [1]", static_cast<double>(record.sweeps)},
+      {"factorisations [1]", static_cast<double>(record.factorisations)},
+      {"cuts [1]", record.cuts},
+      {"floored points [1]", report.floored},
+      {"clamped points [1]", report.clamped},
+      {"null deviators [1]", report.null_deviator},
+      {"substeps [1]", static_cast<double>(report.substeps)},
+      {"bands [1]", static_cast<double>(record.n_bands)},
+      {"cpu time [s]", record.cpu_seconds}};
+    row.insert(row.end(), rest.begin(), rest.end());
+    return row;
+  }
+
+
+
+  Row
+  bands_row(const unsigned int          step,
+            const double                load,
+            const Analysis::ShearBands &bands,
+            const double                grain_size)
+  {
+    return {{"step [1]", step},
+            {"load [1]", load},
+            {"bands [1]", static_cast<double>(bands.bands.size())},
+            {"thickness at 50 % [mm]", 1e3 * bands.thickness_50},
+            {"thickness at 10 % [mm]", 1e3 * bands.thickness_10},
+            {"thickness at 50 % [d50]", bands.thickness_50 / grain_size},
+            {"thickness at 10 % [d50]", bands.thickness_10 / grain_size},
+            {"inclination [deg]", bands.inclination},
+            {"spacing [mm]", 1e3 * bands.spacing},
+            {"spacing [d50]", bands.spacing / grain_size},
+            {"void ratio inside [1]", bands.void_ratio_inside},
+            {"void ratio outside [1]", bands.void_ratio_outside},
+            {"largest rotation [rad]", bands.largest_rotation}};
+  }
+
+
+
+  template struct StepRecord<2>;
+  template void
+  sum_up_points(const Points::MaterialPoints<2> &,
+                const MPI_Comm,
+                StepRecord<2> &);
+  template Row
+  history_row(const StepRecord<2> &);
+} // namespace Riedel::Output

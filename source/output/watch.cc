@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/output/watch.h>
+
+namespace Riedel::Output
+{
+  template <int dim>
+  Watch<dim>::Watch(
+    const Parameters                                    &parameters,
+    const Equilibrium::BoundaryConditionParameters<dim> &conditions)
+  {
+    const dealii::Point<dim> origin;
+    for (unsigned int b = 0; b < conditions.boundaries.size(); ++b)
+      {
+        const auto &candidate = conditions.boundaries[b];
+        const bool  is_named  = candidate.name == parameters.watch;
+        if (!is_named && !parameters.watch.empty())
+          continue;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const auto &formula = candidate.displacement[d];
+            const bool  moves =
+              formula.given() && formula(origin, 0.0) != formula(origin, 1.0);
+            if (boundary < 0 && moves)
+              {
+                boundary  = static_cast<int>(b);
+                component = d;
+                name      = candidate.name;
+              }
+          }
+        if (boundary < 0 && is_named)
+          {
+            boundary = static_cast<int>(b);
+            name     = candidate.name;
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  Watch<dim>::force(
+    const std::vector<typename Equilibrium::Balance<dim>::Reaction> &reactions)
+    const
+  {
+    return boundary < 0 ? 0.0 : reactions[boundary].force[component];
+  }
+
+
+
+  template <int dim>
+  std::string
+  Watch<dim>::description() const
+  {
+    return boundary < 0 ?
+             std::string() :
+             "force " + std::to_string(component + 1) + " on " + name;
+  }
+
+
+
+  template class Watch<2>;
+} // namespace Riedel::Output

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/compat.h>
+#include <riedel/points/initial_state.h>
+#include <riedel/points/material_points.h>
+
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
+
+#include <sstream>
+
+namespace Riedel::Points
+{
+  namespace
+  {
+    /// The slots that every point has, then those of the laws.
+    template <int dim>
+    Material::StateLayout
+    make_layout(const Material::Parameters<dim> &materials)
+    {
+      const std::string        volume_unit = (dim == 2 ? "m2" : "m3");
+      const std::string        mass_unit   = (dim == 2 ? "kg/m" : "kg");
+      std::vector<std::string> axes;
+      for (unsigned int d = 0; d < dim; ++d)
+        axes.push_back(std::to_string(d + 1));
+
+      Material::StateLayout layout;
+      layout.add("material", "1", "number of the material, from 0");
+      layout.add("initial_volume", volume_unit, "volume before the first step");
+      layout.add("volume", volume_unit, "present volume");
+      layout.add("mass", mass_unit, "mass");
+      layout.add("displacement", "m", "displacement since the start", axes);
+      if (materials.is_micropolar())
+        layout.add("micro_rotation",
+                   "rad",
+                   "micro-rotation since the start",
+                   dim == 2 ? std::vector<std::string>{""} : axes);
+      for (const auto &material : materials.materials)
+        layout.merge(material.law->layout());
+      return layout;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MaterialPoints<dim>::MaterialPoints(
+    dealii::parallel::distributed::Triangulation<dim> &triangulation,
+    const Material::Parameters<dim>                   &materials)
+    : triangulation(&triangulation)
+    , laws(&materials)
+    , slots(make_layout(materials))
+    , handler(triangulation, dealii::MappingQ1<dim>(), slots.size())
+  {
+    place.material       = slots.find("material");
+    place.initial_volume = slots.find("initial_volume");
+    place.volume         = slots.find("volume");
+    place.mass           = slots.find("mass");
+    place.displacement   = slots.find("displacement");
+    place.micro_rotation = slots.find("micro_rotation");
+
+    for (const auto &material : materials.materials)
+      {
+        law_places.emplace_back();
+        for (const auto &slot : material.law->layout().slots())
+          for (unsigned int c = 0; c < slot.size(); ++c)
+            law_places.back().push_back(slots.find(slot.name) + c);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::seed(const dealii::Quadrature<dim>     &quadrature,
+                            const InitialStateParameters<dim> &initial,
+                            const dealii::BoundingBox<dim>    &body)
+  {
+    const auto &tria = *triangulation;
+
+    const dealii::FE_Nothing<dim> nothing;
+    dealii::FEValues<dim>         cell_values(nothing,
+                                      quadrature,
+                                      dealii::update_quadrature_points |
+                                        dealii::update_JxW_values);
+
+    // Ids are consecutive over the ranks.
+    std::uint64_t n_here = 0;
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned())
+        n_here += quadrature.size();
+    std::uint64_t id  = 0;
+    const int     err = MPI_Exscan(
+      &n_here, &id, 1, MPI_UINT64_T, MPI_SUM, Compat::communicator(tria));
+    AssertThrowMPI(err);
+
+    const InitialState<dim> state_at(initial, body);
+    std::vector<double>     row(slots.size());
+    std::vector<double>     state;
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell_values.reinit(cell);
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              const dealii::Point<dim> &x = cell_values.quadrature_point(q);
+              const double              volume = cell_values.JxW(q);
+              const int                 m      = laws->material_at(x);
+              if (m < 0)
+                {
+                  std::ostringstream message;
+                  message << "No material claims the point (" << x
+                          << ") m. Give one material no Box, so that it fills "
+                             "the whole body, or widen a Box.";
+                  throw InputError(message.str());
+                }
+
+              const Material::InitialState point = state_at(x);
+              const Material::Law<dim>    &law   = *laws->materials[m].law;
+              state.assign(law.layout().size(), 0.0);
+              law.initialise(point, state.data());
+
+              std::fill(row.begin(), row.end(), 0.0);
+              row[place.material]       = m;
+              row[place.initial_volume] = volume;
+              row[place.volume]         = volume;
+              row[place.mass] =
+                state_at.unit_weight(point.void_ratio) * volume / gravity;
+              for (unsigned int i = 0; i < state.size(); ++i)
+                row[law_places[m][i]] = state[i];
+
+              handler.insert_particle(x,
+                                      quadrature.point(q),
+                                      id++,
+                                      cell,
+                                      dealii::ArrayView<const double>(row));
+            }
+        }
+    handler.update_cached_numbers();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MaterialPoints<dim>::material(
+    const typename dealii::Particles::ParticleHandler<dim>::particle_iterator
+      &particle) const
+  {
+    return static_cast<unsigned int>(
+      particle->get_properties()[place.material]);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::set_order(
+    const std::vector<
+      typename dealii::Particles::ParticleHandler<dim>::particle_iterator>
+      &order)
+  {
+    rows.clear();
+    ids.clear();
+    positions.clear();
+    law_ranges.clear();
+    state_offset.clear();
+    std::size_t offset = 0;
+    for (auto particle : order)
+      {
+        const unsigned int m = material(particle);
+        const unsigned int p = rows.size();
+        rows.push_back(particle->get_properties().data());
+        ids.push_back(particle->get_id());
+        positions.push_back(particle->get_location());
+        if (law_ranges.empty() || law_ranges.back().material != m)
+          law_ranges.push_back({m, p, p});
+        law_ranges.back().last = p + 1;
+        state_offset.push_back(offset);
+        offset += law_places[m].size();
+      }
+    Assert(law_ranges.size() <= laws->materials.size(),
+           dealii::ExcMessage("Points of one material must be neighbours."));
+
+    committed_states.resize(offset);
+    trial_states.resize(offset);
+    copy_states(/*to_rows=*/false);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::copy_states(const bool to_rows)
+  {
+    for (const Range &range : law_ranges)
+      for (unsigned int p = range.first; p < range.last; ++p)
+        {
+          const auto &places = law_places[range.material];
+          double     *state  = committed_states.data() + state_offset[p];
+          for (unsigned int i = 0; i < places.size(); ++i)
+            if (to_rows)
+              rows[p][places[i]] = state[i];
+            else
+              state[i] = rows[p][places[i]];
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::accept()
+  {
+    std::swap(committed_states, trial_states);
+    copy_states(/*to_rows=*/true);
+  }
+
+
+
+  template class MaterialPoints<2>;
+} // namespace Riedel::Points

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/continuum/generalised.h>
+#include <riedel/points/strain_operator.h>
+
+#include <algorithm>
+
+namespace Riedel::Points
+{
+  namespace
+  {
+    double
+    dot(const unsigned int n, const double *a, const double *b)
+    {
+      double sum = 0.0;
+      for (unsigned int i = 0; i < n; ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+
+
+
+    void
+    add(const unsigned int n, const double factor, const double *a, double *sum)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        sum[i] += factor * a[i];
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StrainOperator<dim>::StrainOperator(
+    const Supports<dim>                 &supports,
+    const typename Supports<dim>::Patch &patch,
+    const unsigned int                   index_in_patch)
+    : n_nodes(patch.n_nodes)
+    , n_rotation_nodes(patch.n_rotation_nodes)
+  {
+    const std::size_t u = patch.first_weight + index_in_patch * n_nodes;
+    const std::size_t w =
+      patch.first_rotation_weight + index_in_patch * n_rotation_nodes;
+    gradient           = supports.gradient.data() + dim * u;
+    dilatation         = supports.dilatation.empty() ?
+                           nullptr :
+                           supports.dilatation.data() + dim * u;
+    spin_weight        = supports.spin_weight.data() + w;
+    curvature_gradient = supports.curvature_gradient.data() + dim * w;
+  }
+
+
+
+  template <int dim>
+  void
+  StrainOperator<dim>::increments(const double *values,
+                                  double       *increments) const
+  {
+    using Order = Continuum::Generalised<dim>;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        increments[Order::gradient(i, j)] =
+          dot(n_nodes, values + i * n_nodes, gradient + j * n_nodes);
+
+    if (dilatation != nullptr)
+      {
+        double extra = 0.0;
+        for (unsigned int i = 0; i < dim; ++i)
+          extra += dot(n_nodes, values + i * n_nodes, dilatation + i * n_nodes);
+        for (unsigned int i = 0; i < dim; ++i)
+          increments[Order::gradient(i, i)] += extra / dim;
+      }
+
+    if (n_rotation_nodes > 0)
+      for (unsigned int k = 0; k < Order::n_spin; ++k)
+        {
+          const double *rotation =
+            values + dim * n_nodes + k * n_rotation_nodes;
+          increments[Order::spin(k)] =
+            dot(n_rotation_nodes, rotation, spin_weight);
+          for (unsigned int j = 0; j < dim; ++j)
+            increments[Order::curvature(k, j)] =
+              dot(n_rotation_nodes,
+                  rotation,
+                  curvature_gradient + j * n_rotation_nodes);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  StrainOperator<dim>::add_forces(const double *stresses,
+                                  const double  volume,
+                                  double       *values) const
+  {
+    using Order = Continuum::Generalised<dim>;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        add(n_nodes,
+            volume * stresses[Order::gradient(i, j)],
+            gradient + j * n_nodes,
+            values + i * n_nodes);
+
+    if (dilatation != nullptr)
+      {
+        double mean = 0.0;
+        for (unsigned int i = 0; i < dim; ++i)
+          mean += stresses[Order::gradient(i, i)] / dim;
+        for (unsigned int i = 0; i < dim; ++i)
+          add(n_nodes,
+              volume * mean,
+              dilatation + i * n_nodes,
+              values + i * n_nodes);
+      }
+
+    if (n_rotation_nodes > 0)
+      for (unsigned int k = 0; k < Order::n_spin; ++k)
+        {
+          double *rotation = values + dim * n_nodes + k * n_rotation_nodes;
+          add(n_rotation_nodes,
+              volume * stresses[Order::spin(k)],
+              spin_weight,
+              rotation);
+          for (unsigned int j = 0; j < dim; ++j)
+            add(n_rotation_nodes,
+                volume * stresses[Order::curvature(k, j)],
+                curvature_gradient + j * n_rotation_nodes,
+                rotation);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  StrainOperator<dim>::fill(double *B) const
+  {
+    using Order = Continuum::Generalised<dim>;
+    const unsigned int n_dofs =
+      dim * n_nodes + Order::n_spin * n_rotation_nodes;
+    const unsigned int n_rows =
+      (n_rotation_nodes > 0 ? Order::n_micropolar : Order::n_classical);
+    std::fill(B, B + n_rows * n_dofs, 0.0);
+
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        {
+          double *row = B + Order::gradient(i, j) * n_dofs;
+          std::copy(gradient + j * n_nodes,
+                    gradient + (j + 1) * n_nodes,
+                    row + i * n_nodes);
+          if (dilatation != nullptr && i == j)
+            add(dim * n_nodes, 1.0 / dim, dilatation, row);
+        }
+
+    if (n_rotation_nodes > 0)
+      for (unsigned int k = 0; k < Order::n_spin; ++k)
+        {
+          const unsigned int first = dim * n_nodes + k * n_rotation_nodes;
+          std::copy(spin_weight,
+                    spin_weight + n_rotation_nodes,
+                    B + Order::spin(k) * n_dofs + first);
+          for (unsigned int j = 0; j < dim; ++j)
+            std::copy(curvature_gradient + j * n_rotation_nodes,
+                      curvature_gradient + (j + 1) * n_rotation_nodes,
+                      B + Order::curvature(k, j) * n_dofs + first);
+        }
+  }
+
+
+
+  template class StrainOperator<2>;
+} // namespace Riedel::Points

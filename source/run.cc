@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/element_test/element_test.h>
+#include <riedel/errors.h>
+#include <riedel/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <iostream>
+
+namespace Riedel
+{
+  namespace
+  {
+    /// One material point; rank 0 alone has work to do.
+    void
+    run_element_test(const MPI_Comm               communicator,
+                     const Scene::Scene<2>       &scene,
+                     const Output::ResultsFolder &folder)
+    {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      ElementTest::ElementTest test(scene.element_test,
+                                    *scene.materials.materials.front().law);
+      const auto               write = [&]() {
+        std::ofstream file(folder.path("element_test.csv"));
+        test.write_csv(file);
+        std::cout << test.rows().size() << " states in "
+                  << folder.path("element_test.csv") << std::endl;
+      };
+      try
+        {
+          test.run();
+        }
+      catch (const ComputationError &)
+        {
+          write();
+          throw;
+        }
+      write();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  int
+  run_simulation(const Scene::Scene<dim>  &scene,
+                 const Scene::CommandLine &options)
+  {
+    const MPI_Comm              communicator = MPI_COMM_WORLD;
+    const Output::ResultsFolder folder(communicator,
+                                       scene.general.results,
+                                       options.overwrite,
+                                       scene.original_text,
+                                       Scene::print(scene.parameters,
+                                                    Scene::Format::prm));
+    if (scene.general.type == Scene::SimulationType::element_test)
+      run_element_test(communicator, scene, folder);
+    else
+      Simulation<dim>(communicator, scene, folder).run();
+    return 0;
+  }
+
+
+
+  template int
+  run_simulation(const Scene::Scene<2> &, const Scene::CommandLine &);
+} // namespace Riedel

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/nearest_name.h>
+#include <riedel/scene/scene.h>
+
+#include <algorithm>
+#include <set>
+
+namespace Riedel::Scene
+{
+  namespace
+  {
+    /// The body's box, for the rules that need to know where it is; only if
+    /// its own rules hold.
+    template <int dim>
+    bool
+    body_box(const Grid::GeometryParameters &geometry,
+             dealii::BoundingBox<dim>       &box)
+    {
+      if (geometry.box.size() != dim || geometry.origin.size() != dim)
+        return false;
+      std::pair<dealii::Point<dim>, dealii::Point<dim>> corners;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          if (!(geometry.box[d] > 0.0))
+            return false;
+          corners.first[d]  = geometry.origin[d];
+          corners.second[d] = geometry.origin[d] + geometry.box[d];
+        }
+      box = dealii::BoundingBox<dim>(corners);
+      return true;
+    }
+
+    template <int dim>
+    bool
+    overlap(const dealii::BoundingBox<dim> &a,
+            const dealii::BoundingBox<dim> &b)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!(std::max(a.lower_bound(d), b.lower_bound(d)) <
+              std::min(a.upper_bound(d), b.upper_bound(d))))
+          return false;
+      return true;
+    }
+
+    /// Zones and materials outside the body are slips of the pen.
+    template <int dim>
+    void
+    check_places(const Scene<dim>               &scene,
+                 const dealii::BoundingBox<dim> &body,
+                 Problems                       &problems)
+    {
+      for (const auto &zone : scene.initial_state.zones)
+        if (!overlap(zone.box, body))
+          problems.error("Initial state/Zones/" + zone.name + "/Box",
+                         "The zone lies outside the body.");
+      for (const auto &material : scene.materials.materials)
+        if (!material.everywhere && !overlap(material.box, body))
+          problems.error("Materials/" + material.name + "/Box",
+                         "The material lies outside the body.");
+    }
+
+    Material::InitialState
+    initial_state(const double vertical_pressure,
+                  const double K0,
+                  const double void_ratio)
+    {
+      Material::InitialState state;
+      // no minus sign in front: it would make a zero a negative one
+      const double vertical = 0.0 - vertical_pressure;
+      state.stress[0][0] = state.stress[2][2] = K0 * vertical;
+      state.stress[1][1]                      = vertical;
+      state.void_ratio                        = void_ratio;
+      return state;
+    }
+
+    /// Lets every law look at the states in which its points begin, at the
+    /// highest and the lowest place it has.
+    template <int dim>
+    void
+    check_initial_states(const Scene<dim>               &scene,
+                         const dealii::BoundingBox<dim> *body,
+                         Problems                       &problems)
+    {
+      const auto &initial = scene.initial_state;
+      if (!(initial.void_ratio > 0.0) || !(initial.K0 > 0.0))
+        return;
+      const double unit_weight =
+        initial.grain_unit_weight / (1.0 + initial.void_ratio);
+
+      for (const auto &material : scene.materials.materials)
+        {
+          // depths below the top, where the stress is extreme
+          std::vector<double> depths = {0.0};
+          if (body != nullptr)
+            {
+              const double top = body->upper_bound(dim - 1);
+              depths           = {0.0, top - body->lower_bound(dim - 1)};
+              if (!material.everywhere)
+                for (unsigned int end = 0; end < 2; ++end)
+                  depths[end] =
+                    std::clamp(top - (end == 0 ?
+                                        material.box.upper_bound(dim - 1) :
+                                        material.box.lower_bound(dim - 1)),
+                               0.0,
+                               top - body->lower_bound(dim - 1));
+            }
+
+          std::set<double> void_ratios = {initial.void_ratio};
+          for (const auto &zone : initial.zones)
+            if (material.everywhere || overlap(zone.box, material.box))
+              void_ratios.insert(zone.void_ratio);
+          if (initial.random_field.amplitude != 0.0)
+            for (const double random : {0.01, 0.99})
+              void_ratios.insert(initial.void_ratio +
+                                 initial.random_field.amplitude * random);
+
+          for (const double depth : depths)
+            for (const double void_ratio : void_ratios)
+              {
+                material.law->check_initial(
+                  initial_state(initial.pressure_at_top + unit_weight * depth,
+                                initial.K0,
+                                void_ratio),
+                  "Initial state",
+                  problems);
+              }
+        }
+    }
+
+    /// An element test needs one material and knows its own initial state.
+    template <int dim>
+    void
+    check_element_test(const Scene<dim> &scene, Problems &problems)
+    {
+      const auto &test      = scene.element_test;
+      const auto &materials = scene.materials.materials;
+      test.check(problems);
+      if (materials.size() > 1)
+        problems.error("Materials",
+                       "An element test needs exactly one material; there "
+                       "are " +
+                         std::to_string(materials.size()) + ".");
+      if (materials.size() != 1)
+        return;
+
+      if (!test.material.empty() && test.material != materials[0].name)
+        problems.error("Element test/Material",
+                       "There is no material \"" + test.material +
+                         "\"; the one of this file is \"" + materials[0].name +
+                         "\".");
+      materials[0].law->check_initial(initial_state(test.vertical_pressure,
+                                                    test.K0,
+                                                    test.void_ratio),
+                                      "Element test",
+                                      problems);
+    }
+
+    /// A displacement across a side of the box and a pressure on it
+    /// contradict each other.
+    template <int dim>
+    void
+    check_pressures(const Scene<dim> &scene, Problems &problems)
+    {
+      const auto &names = scene.geometry.boundary_names;
+      for (const auto &boundary : scene.boundary_conditions.boundaries)
+        for (const auto &[id, name] : names)
+          if (name == boundary.name && boundary.pressure.given() &&
+              boundary.displacement[id / 2].given())
+            problems.error("Boundary conditions/" + name + "/Pressure",
+                           "It has no effect: Displacement " +
+                             std::to_string(id / 2 + 1) +
+                             " prescribes the motion across this boundary. "
+                             "Remove one of the two.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check(Problems &problems) const
+  {
+    general.check(problems);
+    materials.check(problems);
+
+    if (general.type == SimulationType::element_test)
+      {
+        check_element_test(*this, problems);
+        return;
+      }
+
+    const bool micropolar = materials.is_micropolar();
+    geometry.check(problems);
+    grid.check(geometry, problems);
+    initial_state.check(problems);
+    boundary_conditions.check(geometry.names(), micropolar, problems);
+    loading.check(micropolar, problems);
+    solver.check(problems);
+    output.check(problems);
+
+    const auto boundaries = geometry.names();
+    if (!output.watch.empty() &&
+        std::find(boundaries.begin(), boundaries.end(), output.watch) ==
+          boundaries.end())
+      problems.error("Output/Watch",
+                     "The body has no boundary \"" + output.watch + "\"." +
+                       did_you_mean(output.watch, boundaries) +
+                       "\nIts boundaries are: " + enumerate(boundaries) + ".");
+
+    dealii::BoundingBox<dim> body;
+    const bool               is_box = body_box(geometry, body);
+    if (is_box)
+      {
+        check_places(*this, body, problems);
+        check_pressures(*this, problems);
+      }
+    if (is_box || !geometry.file.empty())
+      check_initial_states(*this, is_box ? &body : nullptr, problems);
+  }
+
+
+
+  template void
+  Scene<2>::check(Problems &) const;
+} // namespace Riedel::Scene

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/analysis/deformed_field.h>
+#include <riedel/interrupt.h>
+#include <riedel/output/report.h>
+#include <riedel/output/rows.h>
+#include <riedel/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace Riedel
+{
+  namespace
+  {
+    /// Two load parameters closer than this are the same mark.
+    constexpr double mark_tolerance = 1e-10;
+  } // namespace
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(const MPI_Comm               communicator,
+                              const Scene::Scene<dim>     &scene,
+                              const Output::ResultsFolder &folder)
+    : communicator(communicator)
+    , scene(scene)
+    , folder(folder)
+    , is_first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , wall_start(std::chrono::steady_clock::now())
+    , body(communicator, scene.geometry, scene.grid)
+    , space(body.triangulation(), scene.grid, scene.materials.is_micropolar())
+    , points(body.triangulation(), scene.materials)
+    , supports(
+        space,
+        scene.grid,
+        !scene.materials.materials.front().law->is_geometrically_linear())
+    , steps(scene.loading, scene.solver)
+    , extrapolation(
+        scene.solver.predictor == Equilibrium::Predictor::previous ||
+            (scene.solver.predictor == Equilibrium::Predictor::automatic &&
+             scene.solver.scheme == Equilibrium::SchemeName::newton) ?
+          1 :
+          2)
+    , averages(scene.geometry.names(), body, space)
+    , log(folder.path("log.txt"), is_first_rank)
+    , history(folder.path("history.csv"), is_first_rank)
+    , bands_table(folder.path("bands.csv"), is_first_rank)
+    , fields(folder, scene.output)
+    , watch(scene.output, scene.boundary_conditions)
+  {
+    for (const auto &material : scene.materials.materials)
+      grain_size = std::max(grain_size, material.law->length());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::run()
+  {
+    start();
+    const Interrupt interrupt(communicator);
+    while (load < scene.loading.stop - mark_tolerance)
+      {
+        if (!solve_step())
+          continue; // with a smaller step
+        accept_step();
+        measure_bands();
+        record_step();
+        write_fields();
+        if (interrupt.requested())
+          {
+            log.line("Interrupted: the step is complete, results are written.");
+            break;
+          }
+      }
+    finish();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::start()
+  {
+    const Timer::Scope scope(timer, "set-up");
+    points.seed(supports.quadrature(scene.grid),
+                scene.initial_state,
+                body.extent());
+    supports.rebuild(points);
+    solution = space.owned_vector();
+    space.gather(solution, relevant_solution);
+    supports.update(relevant_solution, points);
+    balance =
+      std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
+                                                  scene.loading,
+                                                  scene.solver,
+                                                  body,
+                                                  space,
+                                                  points,
+                                                  supports.supports(),
+                                                  timer);
+    scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
+    increment = space.owned_vector();
+
+    // How far the initial state is from balance under the initial loads.
+    LinearAlgebra::Vector r = space.owned_vector();
+    balance->begin_step(relevant_solution, 0.0);
+    outcome.residual = balance->residual(increment, r);
+    forces_before    = balance->external_forces();
+
+    log.line(Output::banner(
+      scene.general.title, scene.file, folder.name(), communicator));
+    log.line(std::to_string(body.triangulation().n_global_active_cells()) +
+             " cells, " + std::to_string(space.dof_handler().n_dofs()) +
+             " unknowns.");
+    if (outcome.residual.relative() > scene.solver.residual)
+      log.line(
+        "The initial stress is out of balance with the initial loads: "
+        "forces " +
+        Output::number(outcome.residual.force / outcome.residual.reference) +
+        " of the reactions.");
+    log.line(Output::step_header(watch.description()));
+    record_step();
+    write_fields();
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::solve_step()
+  {
+    const double step = steps.next(load, next_mark(scene.output.fields_every));
+    balance->begin_step(relevant_solution, load + step);
+
+    outcome        = Equilibrium::Outcome();
+    bool has_guess = true;
+    if (extrapolation.is_possible())
+      {
+        extrapolation.predict(step, increment);
+        balance->impose(increment);
+      }
+    else
+      {
+        outcome.residual = balance->predict_with_tangent(increment);
+        has_guess        = !outcome.residual.refused;
+        if (!has_guess)
+          outcome.failure = balance->describe_refusal(outcome.residual);
+      }
+    if (has_guess)
+      outcome = scheme->solve(*balance, increment);
+    if (outcome.converged)
+      return true;
+
+    scheme->distrust();
+    log.line("  step to s = " + Output::number(load + step) +
+             " not solved: " + outcome.failure + ".");
+    if (!steps.failed())
+      {
+        finish();
+        throw ComputationError(
+          "The step from s = " + Output::number(load) + " to " +
+          Output::number(load + step) +
+          " cannot be solved: " + outcome.failure + ".\n" +
+          (scene.loading.fixed_steps ?
+             "Loading/Fixed steps forbids a smaller one." :
+             "A step of half this size would be below Loading/Smallest step "
+             "= " +
+               Output::number(scene.loading.smallest_step) + ".") +
+          "\nResults up to s = " + Output::number(load) + " are in " +
+          folder.name() + ".");
+      }
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::accept_step()
+  {
+    const Timer::Scope    scope(timer, "update of points and supports");
+    LinearAlgebra::Vector mean_forces = balance->external_forces();
+    mean_forces += forces_before;
+    external_work += 0.5 * (mean_forces * increment);
+    forces_before = balance->external_forces();
+    stress_work += balance->stress_work();
+
+    extrapolation.accept(steps.tried(), increment);
+    steps.succeeded(outcome.iterations);
+    load += steps.tried();
+    ++n_steps;
+    n_floored_points += outcome.residual.sweep.total.floored;
+    n_clamped_points += outcome.residual.sweep.total.clamped;
+
+    solution += increment;
+    space.gather(solution, relevant_solution);
+    points.accept();
+    supports.update(relevant_solution, points);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_bands()
+  {
+    const double every = scene.output.bands_every;
+    const bool   last  = load > scene.loading.stop - mark_tolerance;
+    if (grain_size == 0.0 || every == 0.0 ||
+        (!last && load < last_bands + every - mark_tolerance))
+      return;
+    const Timer::Scope scope(timer, "measurement of bands");
+    last_bands = load;
+
+    const auto field =
+      Analysis::collect_deformed_field(space, relevant_solution, points);
+    Analysis::BandMeasureOptions options;
+    options.grain_size = grain_size;
+    if (is_first_rank)
+      {
+        bands = Analysis::measure_shear_bands(field, options);
+        bands_table.add(Output::bands_row(n_steps, load, bands, grain_size));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::record_step()
+  {
+    const auto record = make_record();
+    history.add(Output::history_row(record));
+    log.line(Output::step_line(record, watch.force(record.reactions)));
+    log.progress(load / scene.loading.stop, wall_seconds());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_fields()
+  {
+    const double every = scene.output.fields_every;
+    const bool   last  = load > scene.loading.stop - mark_tolerance;
+    const bool   first = n_steps == 0;
+    if (!first && !last &&
+        (every == 0.0 || load < last_fields + every - mark_tolerance))
+      return;
+    const Timer::Scope scope(timer, "files of fields");
+    last_fields = load;
+    fields.write(load, space, relevant_solution, points);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::next_mark(const double every) const
+  {
+    if (every == 0.0)
+      return scene.loading.stop;
+    const double next =
+      every * (std::floor(load / every + mark_tolerance) + 1.0);
+    return std::min(next, scene.loading.stop);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::finish()
+  {
+    // an interrupted or failed run keeps its last state
+    if (last_fields < load)
+      {
+        const Timer::Scope scope(timer, "files of fields");
+        fields.write(load, space, relevant_solution, points);
+      }
+    const auto record = make_record();
+    log.line(Output::summary(record,
+                             n_floored_points,
+                             n_clamped_points,
+                             balance->law_cost(),
+                             timer,
+                             wall_seconds(),
+                             communicator));
+    if (grain_size > 0.0)
+      log.line(Output::bands_line(bands, grain_size));
+    log.line("Results are in " + folder.name() + ".");
+  }
+
+
+
+  template <int dim>
+  Output::StepRecord<dim>
+  Simulation<dim>::make_record() const
+  {
+    Output::StepRecord<dim> record;
+    record.number        = n_steps;
+    record.load          = load;
+    record.step          = n_steps == 0 ? 0.0 : steps.tried();
+    record.cuts          = steps.n_cuts();
+    record.boundaries    = scene.geometry.names();
+    record.displacements = averages(relevant_solution);
+    for (const auto &boundary : scene.boundary_conditions.boundaries)
+      record.supported.push_back(boundary.name);
+    record.reactions      = balance->reactions();
+    record.external_work  = external_work;
+    record.stress_work    = stress_work;
+    record.outcome        = outcome;
+    record.sweeps         = balance->n_sweeps;
+    record.factorisations = balance->n_factorisations;
+    record.n_bands        = bands.bands.size();
+    record.cpu_seconds =
+      dealii::Utilities::MPI::sum(Timer::cpu_seconds(), communicator);
+    Output::sum_up_points(points, communicator, record);
+    return record;
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::wall_seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         wall_start)
+      .count();
+  }
+
+
+
+  template class Simulation<2>;
+} // namespace Riedel
