@@ -2,7 +2,7 @@
 #include <riedel/errors.h>
 #include <riedel/scene/command_line.h>
 #include <riedel/scene/scene.h>
-#include <riedel/simulation.h>
+#include <riedel/run.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -36,7 +36,7 @@ namespace
         else if (command.validate)
           out << command.case_file << " is valid." << std::endl;
         else
-          return run_simulation<2>(scene, command);
+          return Riedel::run<2>(scene, command);
       }
     return 0;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/element_test/element_test.h>
 #include <riedel/errors.h>
+#include <riedel/run.h>
 #include <riedel/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -45,8 +46,7 @@ namespace Riedel
 
   template <int dim>
   int
-  run_simulation(const Scene::Scene<dim>  &scene,
-                 const Scene::CommandLine &options)
+  run(const Scene::Scene<dim> &scene, const Scene::CommandLine &options)
   {
     const MPI_Comm              communicator = MPI_COMM_WORLD;
     const Output::ResultsFolder folder(communicator,
@@ -65,5 +65,5 @@ namespace Riedel
 
 
   template int
-  run_simulation(const Scene::Scene<2> &, const Scene::CommandLine &);
+  run(const Scene::Scene<2> &, const Scene::CommandLine &);
 } // namespace Riedel

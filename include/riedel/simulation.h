@@ -17,7 +17,6 @@
 #include <riedel/output/watch.h>
 #include <riedel/points/initial_supports.h>
 #include <riedel/points/material_points.h>
-#include <riedel/scene/command_line.h>
 #include <riedel/scene/scene.h>
 #include <riedel/timer.h>
 
@@ -105,10 +104,4 @@ namespace Riedel
     double                last_fields = -1.0, last_bands = -1.0;
     std::size_t           n_floored_points = 0, n_clamped_points = 0;
   };
-
-  /// Runs what the scene asks for; returns the program's exit code.
-  template <int dim>
-  int
-  run_simulation(const Scene::Scene<dim>  &scene,
-                 const Scene::CommandLine &options);
 } // namespace Riedel

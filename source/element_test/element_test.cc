@@ -45,7 +45,7 @@ namespace Riedel::ElementTest
                        std::vector<double>       &stresses,
                        std::vector<double>       *tangent) const
   {
-    const Material::Batch batch{1,
+    const Material::Batch  batch{1,
                                 increments.data(),
                                 results.back().state.data(),
                                 trial.data(),
@@ -129,7 +129,7 @@ namespace Riedel::ElementTest
         const double slope = tangent[place * n + place] / stretch;
         const double limit =
           10. * std::abs(increments[Components::gradient(0, 0)]);
-        const double step  = -residual / slope;
+        const double step = -residual / slope;
         increments[place] += std::min(limit, std::max(-limit, step));
       }
     if (best < 1e-6 * std::abs(target) + 1e-6)
@@ -179,7 +179,7 @@ namespace Riedel::ElementTest
       }
 
     // equal logarithmic strains; a small-strain law takes them as they are
-    const double strain    = -parameters.axial_strain / parameters.steps;
+    const double strain = -parameters.axial_strain / parameters.steps;
     const double shortening =
       law.is_geometrically_linear() ? strain : std::expm1(strain);
     const unsigned int axis_1 = Components::gradient(0, 0);

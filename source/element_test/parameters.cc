@@ -115,8 +115,7 @@ namespace Riedel::ElementTest
     vertical_pressure      = prm.get_double("Vertical pressure");
     K0                     = prm.get_double("K0");
     axial_strain           = prm.get_double("Axial strain");
-    steps                  = static_cast<unsigned int>(
-      std::max(0L, prm.get_integer("Steps")));
+    steps = static_cast<unsigned int>(std::max(0L, prm.get_integer("Steps")));
     increments      = prm.get("Increments");
     increments_file = prm.get("Increments file");
     prm.leave_subsection();
@@ -136,9 +135,8 @@ namespace Riedel::ElementTest
           }
         catch (const InputError &error)
           {
-            problems.error(section +
-                             (increments.empty() ? "/Increments file" :
-                                                   "/Increments"),
+            problems.error(section + (increments.empty() ? "/Increments file" :
+                                                           "/Increments"),
                            error.what());
           }
         return;

@@ -126,6 +126,8 @@ namespace Riedel::Equilibrium
     prescribed.assign(start.size(), 0.0);
     for (const auto &dof : conditions.prescribed())
       prescribed[dof.dof] = conditions.value(dof, s) - start[dof.dof];
+    body_forces.assign(start.size(), 0.0);
+    loads.add_body_forces(*supports, *points, load, body_forces);
   }
 
 
@@ -239,8 +241,7 @@ namespace Riedel::Equilibrium
     const bool     with_matrix  = (constraints != nullptr);
 
     space->gather(du, increment);
-    applied.assign(increment.size(), 0.0);
-    loads.add_body_forces(*supports, *points, load, applied);
+    applied = body_forces;
 
     typename Loads<dim>::AddMatrix add_matrix;
     dealii::FullMatrix<double>     local_matrix;

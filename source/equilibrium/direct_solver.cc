@@ -97,6 +97,8 @@ namespace Riedel::Equilibrium
         if (code != 0)
           throw std::logic_error("the matrix is not in compressed storage");
         umfpack_di_defaults(control);
+        // the nonlinear iteration corrects what rounding spoils
+        control[UMFPACK_IRSTEP] = 0;
       }
 
       ~Umfpack() override

@@ -105,7 +105,8 @@ namespace Riedel::Equilibrium
 
 
     /// An old factor as preconditioner and Anderson acceleration; a new factor
-    /// only when it becomes slow.
+    /// only when it becomes slow. A step that cannot be solved so is tried again
+    /// by Newton's method before it is given up.
     template <int dim>
     class Accelerated : public Scheme<dim>
     {
@@ -114,6 +115,7 @@ namespace Riedel::Equilibrium
                   const Balance<dim>     &balance)
         : parameters(parameters)
         , acceleration(parameters.secant_pairs, balance.metric())
+        , newton(parameters)
       {}
 
       void
@@ -124,6 +126,26 @@ namespace Riedel::Equilibrium
 
       Outcome
       solve(Balance<dim> &balance, LinearAlgebra::Vector &du) override
+      {
+        const LinearAlgebra::Vector guess   = du;
+        Outcome                     outcome = iterate(balance, du);
+        if (!outcome.converged)
+          {
+            const unsigned int in_vain = outcome.iterations;
+
+            du      = guess;
+            outcome = newton.solve(balance, du);
+            outcome.iterations += in_vain;
+            // Newton's factors are not those of the secant pairs
+            acceleration.clear();
+            factor_is_stale = true;
+          }
+        return outcome;
+      }
+
+    private:
+      Outcome
+      iterate(Balance<dim> &balance, LinearAlgebra::Vector &du)
       {
         LinearAlgebra::Vector r     = balance.vector();
         LinearAlgebra::Vector delta = balance.vector();
@@ -178,9 +200,9 @@ namespace Riedel::Equilibrium
           }
       }
 
-    private:
       const SolverParameters parameters;
       AndersonAcceleration   acceleration;
+      Newton<dim>            newton;
       bool                   factor_is_stale = false;
     };
   } // namespace

@@ -143,7 +143,9 @@ namespace Riedel::Grid
         return;
       }
     ghosted = owned;
-    relevant.assign(ghosted.begin(), ghosted.end());
+    // end() is behind the owned entries, not behind the ghosts
+    relevant.assign(ghosted.begin(),
+                    ghosted.begin() + relevant_dofs.n_elements());
   }
 
 

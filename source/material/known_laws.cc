@@ -23,7 +23,8 @@ namespace Riedel::Material
       static const std::vector<KnownLaw> laws = {
         {"polar hypoplastic", std::make_unique<PolarHypoplastic>},
         {"hypoplastic", std::make_unique<ClassicalHypoplastic>},
-        {"linear elastic micropolar", std::make_unique<LinearElasticMicropolar>},
+        {"linear elastic micropolar",
+         std::make_unique<LinearElasticMicropolar>},
         {"linear elastic", std::make_unique<LinearElasticClassical>}};
       return laws;
     }

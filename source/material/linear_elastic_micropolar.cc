@@ -158,15 +158,15 @@ namespace Riedel::Material
     for (unsigned int i = 0; i < n; ++i)
       inputs[i] = input<Number>(increment[i], i);
 
-    PlaneTensor<Number> sigma{Number(.5 * (committed[0] + committed[1])),
+    PlaneTensor<Number>   sigma{Number(.5 * (committed[0] + committed[1])),
                               Number(.5 * (committed[0] - committed[1])),
                               Number(.5 * (committed[3] + committed[4])),
                               Number(.5 * (committed[4] - committed[3]))};
     Number                sigma_33(committed[2]);
     std::array<Number, 2> m{};
     if constexpr (micropolar)
-      m = {{Number(committed[couple_place]),
-            Number(committed[couple_place + 1])}};
+      m = {
+        {Number(committed[couple_place]), Number(committed[couple_place + 1])}};
 
     // The elastic relation between a strain increment and a stress increment.
     const auto add_increment = [&](const PlaneTensor<Number>   &strain,
@@ -190,7 +190,7 @@ namespace Riedel::Material
     Number                spin_stress;
     if (small_strain)
       {
-        PlaneTensor<Number> strain{.5 * (inputs[0] + inputs[3]),
+        PlaneTensor<Number>   strain{.5 * (inputs[0] + inputs[3]),
                                    .5 * (inputs[0] - inputs[3]),
                                    .5 * (inputs[1] + inputs[2]),
                                    .5 * (inputs[2] - inputs[1])};
@@ -219,8 +219,8 @@ namespace Riedel::Material
         if constexpr (micropolar)
           {
             strain = kinematics.stretching(inputs[4]);
-            k      = Continuum::StepKinematics<Number>::curvature(inputs,
-                                                             inputs + 5);
+            k =
+              Continuum::StepKinematics<Number>::curvature(inputs, inputs + 5);
           }
 
         // The stretching turns backwards in the rotating frame; its mean over
@@ -237,9 +237,9 @@ namespace Riedel::Material
                         single_cosine * k[1] - single_sine * k[0]}});
 
         const Continuum::PlaneRotation<Number> rotation(spin);
-        sigma          = sigma.to_fixed_frame(rotation);
-        m              = to_fixed_frame(m, rotation);
-        nominal_stress = kinematics.nominal(sigma.components());
+        sigma                 = sigma.to_fixed_frame(rotation);
+        m                     = to_fixed_frame(m, rotation);
+        nominal_stress        = kinematics.nominal(sigma.components());
         nominal_couple_stress = kinematics.nominal(m);
         spin_stress           = kinematics.j * (-2. * sigma.turn);
       }
@@ -294,12 +294,14 @@ namespace Riedel::Material
     Report                 report;
     for (unsigned int p = 0; p < batch.n_points; ++p)
       {
-        const Report::Refusal refusal = respond_point<Number>(
-          batch.increments + p * n,
-          batch.committed + p * n_state,
-          batch.trial + p * n_state,
-          batch.stresses + p * n,
-          batch.tangents == nullptr ? nullptr : batch.tangents + p * n * n);
+        const Report::Refusal refusal =
+          respond_point<Number>(batch.increments + p * n,
+                                batch.committed + p * n_state,
+                                batch.trial + p * n_state,
+                                batch.stresses + p * n,
+                                batch.tangents == nullptr ?
+                                  nullptr :
+                                  batch.tangents + p * n * n);
         if (refusal == Report::Refusal::none)
           {
             ++report.substeps;

@@ -22,12 +22,12 @@ namespace Riedel::Material
 
 
     std::string
-    selection_of_laws()
+    list_of_laws(const std::string &separator)
     {
-      std::string selection;
+      std::string list;
       for (const std::string &law : known_laws())
-        selection += (selection.empty() ? "" : "|") + law;
-      return selection;
+        list += (list.empty() ? "" : separator) + law;
+      return list;
     }
 
 
@@ -70,7 +70,7 @@ namespace Riedel::Material
         prm.enter_subsection(name);
         prm.declare_entry("Law",
                           known_laws().front(),
-                          dealii::Patterns::Selection(selection_of_laws()),
+                          dealii::Patterns::Selection(list_of_laws("|")),
                           "The constitutive law. It decides which other "
                           "parameters this section has.",
                           true);
@@ -99,15 +99,16 @@ namespace Riedel::Material
   {
     materials.clear();
     prm.enter_subsection("Materials");
-    for (const auto &name_and_law : names)
+    for (const auto &[name, law] : names)
       {
-        const std::string &name = name_and_law.first;
+        if (!is_known(law))
+          throw InputError("Materials/" + name + "/Law is `" + law +
+                           "', but it must be one of `" + list_of_laws("', `") +
+                           "'.");
         prm.enter_subsection(name);
         Entry entry;
         entry.name = name;
-        // "Law" as it stands in the file: the parameters were declared for it
-        const std::string law = prm.get("Law");
-        entry.law             = create_law<dim>(law);
+        entry.law  = create_law<dim>(law);
         entry.law->parse(prm);
 
         const std::string box = prm.get("Box");

@@ -2,7 +2,6 @@
 #include <riedel/continuum/generalised.h>
 #include <riedel/continuum/step_kinematics.h>
 #include <riedel/material/polar_hypoplastic.h>
-#include <riedel/material/substepping.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -16,9 +15,7 @@ namespace Riedel::Material
 {
   using Continuum::Forward;
   using Continuum::input;
-  using Continuum::only_derivatives;
   using Continuum::to_fixed_frame;
-  using Continuum::to_turned_frame;
   using Continuum::value_of;
 
   namespace
@@ -35,109 +32,6 @@ namespace Riedel::Material
       static constexpr unsigned int substep       = void_ratio + 1;
       static constexpr unsigned int n             = substep + 1;
     };
-
-    /// Strain that one substep resolves where nothing is known yet.
-    constexpr double largest_substep_strain = 1.;
-
-    /// Stiffness of the resistance against compaction below e_d [Pa]
-    constexpr double compaction_resistance = 1e7;
-
-    /// A stage whose pressure is below this part of the floor pressure is
-    /// not evaluated: the rate is singular at zero pressure.
-    constexpr double smallest_stage_pressure = .1;
-
-
-
-    template <typename To, typename From, std::size_t n>
-    std::array<To, n>
-    convert(const std::array<From, n> &from)
-    {
-      if constexpr (std::is_same<To, From>::value)
-        return from;
-      else
-        {
-          std::array<To, n> to;
-          for (std::size_t i = 0; i < n; ++i)
-            to[i] = value_of(from[i]);
-          return to;
-        }
-    }
-
-
-
-    /// What drives a point through a step: d^c dt and k d_50 dt in the fixed
-    /// frame, and the spin by which the rotating frame turns.
-    template <bool micropolar, typename Number>
-    struct Loading
-    {
-      Continuum::PlaneTensor<Number> d;
-      std::array<Number, 2>          k;
-      Number                         spin;
-      /// sqrt(d^c:d^c + (k d_50)^2), the same in every frame
-      Number length;
-
-      /// Components in the frame that has turned for the part @p time of the
-      /// step.
-      HypoplasticStretching<micropolar, Number>
-      at(const double time) const
-      {
-        if (time == 0.)
-          return components(d, k);
-        const Continuum::PlaneRotation<Number> rotation(spin * time);
-        return components(d.to_turned_frame(rotation),
-                          micropolar ? to_turned_frame(k, rotation) : k);
-      }
-
-      Loading<micropolar, double>
-      values() const
-      {
-        return {{value_of(d.mean),
-                 value_of(d.difference),
-                 value_of(d.shear),
-                 value_of(d.turn)},
-                convert<double>(k),
-                value_of(spin),
-                value_of(length)};
-      }
-
-    private:
-      static HypoplasticStretching<micropolar, Number>
-      components(const Continuum::PlaneTensor<Number> &d,
-                 const std::array<Number, 2>          &k)
-      {
-        const Number d_11 = d.mean + d.difference;
-        const Number d_22 = d.mean - d.difference;
-        if constexpr (micropolar)
-          return {
-            {d_11, d_22, d.shear - d.turn, d.shear + d.turn, k[0], k[1]}};
-        else
-          return {{d_11, d_22, d.shear, d.shear}};
-      }
-    };
-
-
-
-    /// -tr sigma / 3 [Pa]
-    template <typename Stress>
-    double
-    pressure(const Stress &y)
-    {
-      return (value_of(y[0]) + value_of(y[1]) + value_of(y[2])) * (-1. / 3.);
-    }
-
-
-
-    /// Are the principal stresses (of the symmetric part) compressive?
-    template <typename Stress>
-    bool
-    is_compressive(const Stress &y)
-    {
-      const double s11 = value_of(y[0]), s22 = value_of(y[1]);
-      const double s12 = .5 * (value_of(y[3]) + value_of(y[4]));
-      return s11 + s22 < 0. && s11 * s22 > s12 * s12 && value_of(y[2]) < 0.;
-    }
-
-
 
     template <bool micropolar>
     StateLayout
@@ -165,16 +59,6 @@ namespace Riedel::Material
 
 
   template <bool micropolar>
-  struct Hypoplastic<micropolar>::PointReport
-  {
-    bool             floored = false;
-    HypoplasticFlags flags;
-    unsigned int     substeps = 0;
-  };
-
-
-
-  template <bool micropolar>
   Hypoplastic<micropolar>::Hypoplastic()
     : slots(make_layout<micropolar>())
   {}
@@ -196,14 +80,15 @@ namespace Riedel::Material
                                       double             *state) const
   {
     std::fill(state, state + slots.size(), 0.);
-    double *stress = state + stress_place;
-    stress[0]      = initial.stress[0][0];
-    stress[1]      = initial.stress[1][1];
-    stress[2]      = initial.stress[2][2];
-    stress[3]      = initial.stress[0][1];
-    stress[4]      = initial.stress[1][0];
+    double *stress                        = state + stress_place;
+    stress[0]                             = initial.stress[0][0];
+    stress[1]                             = initial.stress[1][1];
+    stress[2]                             = initial.stress[2][2];
+    stress[3]                             = initial.stress[0][1];
+    stress[4]                             = initial.stress[1][0];
     state[Places<micropolar>::void_ratio] = initial.void_ratio;
-    state[Places<micropolar>::substep]    = largest_substep_strain;
+    state[Places<micropolar>::substep] =
+      HypoplasticControls::largest_substep_strain;
   }
 
 
@@ -230,36 +115,18 @@ namespace Riedel::Material
 
   template <bool micropolar>
   template <typename Number>
-  Number
-  Hypoplastic<micropolar>::smallest_pressure(const Number &void_ratio) const
-  {
-    if (value_of(void_ratio) < densest_at_floor)
-      return floor_pressure + compaction_resistance *
-                                (densest_at_floor - void_ratio) /
-                                (1. + void_ratio);
-    return Number(floor_pressure);
-  }
-
-
-
-  template <bool micropolar>
-  template <typename Number>
   Report::Refusal
-  Hypoplastic<micropolar>::respond_point(const double *increment,
-                                         const double *committed,
-                                         double       *trial,
-                                         double       *stresses,
-                                         double       *tangent,
-                                         PointReport  &report) const
+  Hypoplastic<micropolar>::respond_point(const double           *increment,
+                                         const double           *committed,
+                                         double                 *trial,
+                                         double                 *stresses,
+                                         double                 *tangent,
+                                         HypoplasticPointReport &report) const
   {
-    using std::exp;
-    constexpr bool         with_tangent = !std::is_same<Number, double>::value;
-    constexpr unsigned int n            = micropolar ?
-                                            Continuum::Generalised<2>::n_micropolar :
-                                            Continuum::Generalised<2>::n_classical;
-    using Place                         = Places<micropolar>;
-    using Stress                        = HypoplasticStress<micropolar, Number>;
-    using StressValues                  = HypoplasticStress<micropolar, double>;
+    constexpr unsigned int n = micropolar ?
+                                 Continuum::Generalised<2>::n_micropolar :
+                                 Continuum::Generalised<2>::n_classical;
+    using Place              = Places<micropolar>;
 
     Number inputs[n];
     for (unsigned int i = 0; i < n; ++i)
@@ -271,24 +138,22 @@ namespace Riedel::Material
                Report::Refusal::inverted_step :
                Report::Refusal::not_finite;
 
-    Loading<micropolar, Number> loading;
+    HypoplasticLoading<micropolar, Number> loading;
     loading.d    = kinematics.log_f;
     loading.k    = {{Number(0.), Number(0.)}};
     loading.spin = kinematics.log_f.turn;
     if constexpr (micropolar)
       {
         loading.d = kinematics.stretching(inputs[4]);
-        loading.k = Continuum::StepKinematics<Number>::curvature(inputs,
-                                                                 inputs + 5);
+        loading.k =
+          Continuum::StepKinematics<Number>::curvature(inputs, inputs + 5);
         for (Number &component : loading.k)
           component = component * constants.mean_grain_diameter;
       }
     loading.length = stretching_length(loading.at(0.));
-    const Loading<micropolar, double> loading_values = loading.values();
-    const double                      strain         = loading_values.length;
 
     // The state in the rotating frame; couple stresses divided by d_50.
-    Stress y;
+    HypoplasticStress<micropolar, Number> y;
     for (unsigned int i = 0; i < 5; ++i)
       y[i] = Number(committed[stress_place + i]);
     if constexpr (micropolar)
@@ -296,225 +161,27 @@ namespace Riedel::Material
         y[5 + i] = Number(committed[Place::couple_stress + i] /
                           constants.mean_grain_diameter);
     const double initial_volume   = 1. + committed[Place::void_ratio];
-    Number       volume           = Number(initial_volume);
-    const Number final_volume     = initial_volume * kinematics.j;
-    const Number final_void_ratio = final_volume - 1.;
+    const Number final_void_ratio = initial_volume * kinematics.j - 1.;
+    double       substep_strain   = committed[Place::substep];
 
-    double check = strain + loading_values.spin + initial_volume;
+    double sum = value_of(loading.length) + value_of(loading.spin) +
+                 initial_volume + substep_strain;
     for (const Number &component : y)
-      check += value_of(component);
-    if (!std::isfinite(check))
+      sum += value_of(component);
+    if (!std::isfinite(sum))
       return Report::Refusal::not_finite;
 
-    bool       on_floor     = false;
-    const auto put_on_floor = [&](const Number &void_ratio) {
-      y              = Stress{};
-      const Number p = smallest_pressure(void_ratio);
-      for (unsigned int i = 0; i < 3; ++i)
-        y[i] = -p;
-      on_floor       = true;
-      report.floored = true;
-    };
+    const HypoplasticStep<micropolar, Number> step(constants,
+                                                   controls,
+                                                   loading,
+                                                   kinematics.log_j,
+                                                   initial_volume,
+                                                   final_void_ratio);
+    const Report::Refusal refusal = step.integrate(y, substep_strain, report);
+    if (refusal != Report::Refusal::none)
+      return refusal;
 
-    if (pressure(y) < smallest_pressure(value_of(volume) - 1.) ||
-        !is_compressive(y))
-      put_on_floor(volume - 1.);
-
-    const double stored_strain = committed[Place::substep];
-    double       next_strain   = stored_strain;
-    bool         rejected      = false;
-
-    BinarySubsteps substeps(n_smallest_substeps,
-                            strain > 0. ? stored_strain / strain : 1.);
-    Stress           rate_begin;
-    HypoplasticFlags flags_begin;
-    bool             rate_begin_known = false;
-    while (!substeps.done())
-      {
-        const double h = substeps.length();
-        const double t = substeps.begin();
-
-        if (!rate_begin_known)
-          {
-            flags_begin = HypoplasticFlags();
-            rate_begin = hypoplastic_rate<micropolar, Number>(constants,
-                                                              y,
-                                                              volume - 1.,
-                                                              loading.at(t),
-                                                              loading.length,
-                                                              flags_begin);
-            rate_begin_known = true;
-          }
-
-        // A point on the floor that is being unloaded stays there. The
-        // direction of a step is constant, so that is true for all of it.
-        if (pressure(rate_begin) <= 0. &&
-            pressure(y) <=
-              smallest_pressure(value_of(volume) - 1.) * (1. + 1e-9))
-          {
-            put_on_floor(final_void_ratio);
-            report.flags.merge(flags_begin);
-            ++report.substeps;
-            break;
-          }
-
-        const Number growth         = exp(kinematics.log_j * (.25 * h));
-        const Number growth_half    = growth * growth;
-        const Number volume_half    = volume * growth_half;
-        const Number volume_quarter = volume_half * growth;
-        const Number volume_end     = volume_half * growth_half;
-
-        // One attempt. False: a stage or the end is in tension.
-        Stress       y_end;
-        StressValues rate_end;
-        double       error = 0.;
-        // of the stages inside the substep and of its end
-        HypoplasticFlags flags, flags_end;
-        const auto   attempt = [&]() {
-          const double lowest = smallest_stage_pressure * floor_pressure;
-
-          Stress y_stage;
-          for (unsigned int i = 0; i < y.size(); ++i)
-            y_stage[i] = y[i] + (.5 * h) * rate_begin[i];
-          if (!(pressure(y_stage) > lowest))
-            return false;
-          const Stress rate_half =
-            hypoplastic_rate<micropolar, Number>(constants,
-                                                 y_stage,
-                                                 volume_half - 1.,
-                                                 loading.at(t + .5 * h),
-                                                 loading.length,
-                                                 flags);
-
-          for (unsigned int i = 0; i < y.size(); ++i)
-            y_stage[i] = y[i] + (.75 * h) * rate_half[i];
-          if (!(pressure(y_stage) > lowest))
-            return false;
-          const Stress rate_quarter =
-            hypoplastic_rate<micropolar, Number>(constants,
-                                                 y_stage,
-                                                 volume_quarter - 1.,
-                                                 loading.at(t + .75 * h),
-                                                 loading.length,
-                                                 flags);
-
-          for (unsigned int i = 0; i < y.size(); ++i)
-            y_end[i] = y[i] +
-                       (h * BogackiShampine::advance[0]) * rate_begin[i] +
-                       (h * BogackiShampine::advance[1]) * rate_half[i] +
-                       (h * BogackiShampine::advance[2]) * rate_quarter[i];
-          if (!(pressure(y_end) > lowest) || !is_compressive(y_end))
-            return false;
-
-          const StressValues values = convert<double>(y_end);
-          rate_end                  = hypoplastic_rate<micropolar, double>(
-            constants,
-            values,
-            value_of(volume_end) - 1.,
-            loading_values.at(t + h),
-            loading_values.length,
-            flags_end);
-
-          // separate norms of stress and couple stress; scales keep points
-          // near the floor, or without couple stress, from endless accuracy
-          double stress_error = 0., couple_error = 0.;
-          double stress_scale = 0., couple_scale = 0.;
-          for (unsigned int i = 0; i < y.size(); ++i)
-            {
-              const double difference =
-                h * (BogackiShampine::error[0] * value_of(rate_begin[i]) +
-                     BogackiShampine::error[1] * value_of(rate_half[i]) +
-                     BogackiShampine::error[2] * value_of(rate_quarter[i]) +
-                     BogackiShampine::error[3] * rate_end[i]);
-              (i < 5 ? stress_error : couple_error) += difference * difference;
-              (i < 5 ? stress_scale : couple_scale) += values[i] * values[i];
-            }
-          stress_scale =
-            std::max(stress_scale, 100. * floor_pressure * floor_pressure);
-          couple_scale = std::max(couple_scale, .01 * stress_scale);
-          error        = std::sqrt(stress_error / stress_scale);
-          if constexpr (micropolar)
-            error = std::max(error, std::sqrt(couple_error / couple_scale));
-          error /= substep_tolerance;
-          return true;
-        };
-
-        if (!attempt())
-          {
-            if (!substeps.is_smallest())
-              {
-                substeps.reject();
-                rejected = true;
-                continue;
-              }
-            put_on_floor(volume_end - 1.);
-            rate_begin_known = false;
-            substeps.accept(h);
-          }
-        else if (!(error <= 1.))
-          {
-            if (substeps.is_smallest())
-              return std::isfinite(error) ? Report::Refusal::too_many_substeps :
-                                            Report::Refusal::not_finite;
-            substeps.reject(h * BogackiShampine::suggested_length(error));
-            rejected = true;
-            continue;
-          }
-        else
-          {
-            y        = y_end;
-            on_floor = false;
-            report.flags.merge(flags_begin);
-            report.flags.merge(flags);
-            if (pressure(y) < smallest_pressure(value_of(volume_end) - 1.))
-              put_on_floor(volume_end - 1.);
-            if constexpr (with_tangent)
-              rate_begin_known = false;
-            else
-              {
-                rate_begin       = rate_end;
-                flags_begin      = flags_end;
-                rate_begin_known = !on_floor;
-              }
-            double wanted = 1.;
-            if (h < 1. || next_strain < largest_substep_strain)
-              {
-                wanted      = h * BogackiShampine::suggested_length(error);
-                next_strain = rejected ?
-                                wanted * strain :
-                                std::max(stored_strain, wanted * strain);
-                next_strain = std::min(next_strain, largest_substep_strain);
-              }
-            substeps.accept(wanted);
-          }
-        volume = volume_end;
-        ++report.substeps;
-      }
-
-    // On the floor the stress does not feel the strain. A solver needs some
-    // stiffness there: the isotropic one of the law at this pressure.
-    if (with_tangent && on_floor)
-      {
-        HypoplasticFlags                 ignored;
-        const HypoplasticFactors<double> factors(
-          constants,
-          -3. * pressure(y),
-          0.,
-          0.,
-          value_of(final_void_ratio),
-          ignored);
-        const double stiffness =
-          factors.f_s * factors.a_1 * factors.a_1;
-        const auto   d        = loading.at(1.);
-        const Number isotropic = (factors.f_s / 9.) * (d[0] + d[1]);
-        y[0] += only_derivatives(stiffness * d[0] + isotropic);
-        y[1] += only_derivatives(stiffness * d[1] + isotropic);
-        y[2] += only_derivatives(isotropic);
-        for (unsigned int i = 2; i < d.size(); ++i)
-          y[1 + i] += only_derivatives(stiffness * d[i]);
-      }
-
-    // back to the fixed frame
+    // back to the fixed frame and to the start-of-step configuration
     const Continuum::PlaneRotation<Number> rotation(loading.spin);
     const Continuum::PlaneTensor<Number>   turned{.5 * (y[0] + y[1]),
                                                 .5 * (y[0] - y[1]),
@@ -522,26 +189,24 @@ namespace Riedel::Material
                                                 .5 * (y[4] - y[3])};
     const std::array<Number, 4>            sigma =
       turned.to_fixed_frame(rotation).components();
+    const std::array<Number, 4> P = kinematics.nominal(sigma);
 
     Number generalised[n];
-    {
-      const std::array<Number, 4> P = kinematics.nominal(sigma);
-      std::copy(P.begin(), P.end(), generalised);
-    }
-    std::array<Number, 2> couple_stress;
+    std::copy(P.begin(), P.end(), generalised);
+    std::array<Number, 2> couple_stress{};
     if constexpr (micropolar)
       {
         generalised[4] = kinematics.j * (-2. * turned.turn);
         couple_stress  = to_fixed_frame(
           std::array<Number, 2>{{y[5] * constants.mean_grain_diameter,
-                                 y[6] * constants.mean_grain_diameter}},
+                                  y[6] * constants.mean_grain_diameter}},
           rotation);
         const std::array<Number, 2> M = kinematics.nominal(couple_stress);
         generalised[5]                = M[0];
         generalised[6]                = M[1];
       }
 
-    double sum = value_of(y[2]);
+    sum = value_of(y[2]);
     for (const Number &component : generalised)
       sum += value_of(component);
     if (!std::isfinite(sum))
@@ -557,11 +222,11 @@ namespace Riedel::Material
       for (unsigned int i = 0; i < 2; ++i)
         trial[Place::couple_stress + i] = value_of(couple_stress[i]);
     trial[Place::void_ratio] = value_of(final_void_ratio);
-    trial[Place::substep]    = next_strain;
+    trial[Place::substep]    = substep_strain;
 
     for (unsigned int a = 0; a < n; ++a)
       stresses[a] = value_of(generalised[a]);
-    if constexpr (with_tangent)
+    if constexpr (!std::is_same<Number, double>::value)
       for (unsigned int a = 0; a < n; ++a)
         for (unsigned int b = 0; b < n; ++b)
           tangent[a * n + b] = generalised[a].derivatives[b];
@@ -584,14 +249,16 @@ namespace Riedel::Material
     Report                 report;
     for (unsigned int p = 0; p < batch.n_points; ++p)
       {
-        PointReport           point;
-        const Report::Refusal refusal = respond_point<Number>(
-          batch.increments + p * n,
-          batch.committed + p * n_state,
-          batch.trial + p * n_state,
-          batch.stresses + p * n,
-          batch.tangents == nullptr ? nullptr : batch.tangents + p * n * n,
-          point);
+        HypoplasticPointReport point;
+        const Report::Refusal  refusal =
+          respond_point<Number>(batch.increments + p * n,
+                                batch.committed + p * n_state,
+                                batch.trial + p * n_state,
+                                batch.stresses + p * n,
+                                batch.tangents == nullptr ?
+                                  nullptr :
+                                  batch.tangents + p * n * n,
+                                point);
         if (refusal != Report::Refusal::none)
           {
             if (report.refused == 0)
@@ -712,12 +379,12 @@ namespace Riedel::Material
   void
   Hypoplastic<micropolar>::parse(dealii::ParameterHandler &prm)
   {
-    constants                         = HypoplasticConstants();
-    constexpr double radian           = 3.14159265358979323846 / 180.;
+    constants               = HypoplasticConstants();
+    constexpr double radian = 3.14159265358979323846 / 180.;
     constants.critical_friction_angle =
       prm.get_double("Critical friction angle") * radian;
-    constants.granular_hardness  = prm.get_double("Granular hardness");
-    constants.minimum_void_ratio = prm.get_double("Minimum void ratio");
+    constants.granular_hardness   = prm.get_double("Granular hardness");
+    constants.minimum_void_ratio  = prm.get_double("Minimum void ratio");
     constants.critical_void_ratio = prm.get_double("Critical void ratio");
     constants.maximum_void_ratio  = prm.get_double("Maximum void ratio");
     constants.density_exponent    = prm.get_double("Density exponent");
@@ -743,18 +410,19 @@ namespace Riedel::Material
         else
           {
             std::istringstream text(plain);
-            polar_constant_ok = (text >> constants.polar_number) &&
-                                text.peek() == EOF;
+            polar_constant_ok =
+              (text >> constants.polar_number) && text.peek() == EOF;
           }
       }
-    floor_pressure    = prm.get_double("Floor pressure");
-    substep_tolerance = prm.get_double("Substep tolerance");
-    n_smallest_substeps = BinarySubsteps::subdivision(static_cast<unsigned int>(
-      std::max(1L, prm.get_integer("Largest number of substeps"))));
+    controls.floor_pressure    = prm.get_double("Floor pressure");
+    controls.substep_tolerance = prm.get_double("Substep tolerance");
+    controls.n_smallest_substeps =
+      BinarySubsteps::subdivision(static_cast<unsigned int>(
+        std::max(1L, prm.get_integer("Largest number of substeps"))));
 
     constants.derive();
-    densest_at_floor = constants.minimum_void_ratio *
-                       constants.compression(floor_pressure);
+    controls.densest_at_floor = constants.minimum_void_ratio *
+                                constants.compression(controls.floor_pressure);
   }
 
 
@@ -840,13 +508,13 @@ namespace Riedel::Material
                              "; below 2 the couple stress of a shear band can "
                              "grow without a limit.");
       }
-    require(floor_pressure > 0.,
+    require(controls.floor_pressure > 0.,
             "Floor pressure",
-            floor_pressure,
+            controls.floor_pressure,
             "it must be a positive pressure in Pa");
-    require(substep_tolerance > 0. && substep_tolerance < 1.,
+    require(controls.substep_tolerance > 0. && controls.substep_tolerance < 1.,
             "Substep tolerance",
-            substep_tolerance,
+            controls.substep_tolerance,
             "it must lie between 0 and 1 (1e-6 to 1e-3 are sensible)");
 
     // only if the constants it follows from are in order
@@ -884,9 +552,8 @@ namespace Riedel::Material
       {
         problems.error(path,
                        "The initial stress (11: " + text_of(stress[0]) +
-                         ", 22: " + text_of(stress[1]) +
-                         ", 33: " + text_of(stress[2]) +
-                         ", 12: " + text_of(stress[3]) +
+                         ", 22: " + text_of(stress[1]) + ", 33: " +
+                         text_of(stress[2]) + ", 12: " + text_of(stress[3]) +
                          " Pa) is not compressive in all directions; a "
                          "hypoplastic body must start under pressure.");
         return;

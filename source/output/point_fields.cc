@@ -51,8 +51,13 @@ namespace Riedel::Output
   std::string
   PointFields::Field::file_name(const unsigned int component) const
   {
+    // deal.II allows letters, digits, '_', '<', '>', '(' and ')' in names
+    std::string       allowed_unit = unit;
+    const std::size_t slash        = unit.find('/');
+    if (slash != std::string::npos)
+      allowed_unit.replace(slash, 1, "_per_");
     return name + (components[component].empty() ? "" : "_") +
-           components[component] + "(" + unit + ")";
+           components[component] + "(" + allowed_unit + ")";
   }
 
 

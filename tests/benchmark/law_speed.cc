@@ -2,7 +2,9 @@
 
 // Microseconds per material point of every law, for stresses alone and with
 // the tangent: random admissible states, increments as in a finite element
-// step, median of repeats.
+// step, median of repeats. "turned": the increment is in a new direction, so
+// that the response bends strongly within the step; "continued": the same
+// isochoric increment has been taken ten times before.
 
 #include <riedel/material/law.h>
 
@@ -59,72 +61,88 @@ main()
   constexpr unsigned int n_points  = 2000;
   constexpr unsigned int n_repeats = 51;
 
-  std::printf("%-28s %10s %12s %12s %10s\n",
+  std::printf("%-26s %-10s %9s %12s %12s %10s\n",
               "law",
+              "loading",
               "increment",
               "value [us]",
               "tangent [us]",
               "substeps");
   for (const std::string &name : Riedel::Material::known_laws())
-    for (const double size : {1e-4, 3e-4, 1e-3})
-      {
-        const std::unique_ptr<Law<2>> law     = make_law(name);
-        const unsigned int            n       = law->n_generalised();
-        const unsigned int            n_state = law->layout().size();
+    for (const bool continued : {false, true})
+      for (const double size : {1e-4, 3e-4, 1e-3})
+        {
+          const std::unique_ptr<Law<2>> law     = make_law(name);
+          const unsigned int            n       = law->n_generalised();
+          const unsigned int            n_state = law->layout().size();
 
-        std::mt19937                     generator(1);
-        std::uniform_real_distribution<> uniform(-1., 1.);
-        std::vector<double>              increments(n_points * n);
-        std::vector<double>              committed(n_points * n_state);
-        std::vector<double>              trial(committed.size());
-        std::vector<double>              stresses(increments.size());
-        std::vector<double>              tangents(increments.size() * n);
-        for (unsigned int p = 0; p < n_points; ++p)
-          {
-            const double pressure = 2e5 + 1e5 * uniform(generator);
-            Riedel::Material::InitialState initial;
-            for (unsigned int i = 0; i < 3; ++i)
-              initial.stress[i][i] =
-                -pressure * (1. + .3 * uniform(generator));
-            initial.stress[0][1] = .2 * pressure * uniform(generator);
-            initial.void_ratio   = .7 + .12 * uniform(generator);
-            law->initialise(initial, committed.data() + p * n_state);
-            for (unsigned int i = 0; i < n; ++i)
-              increments[p * n + i] =
-                (i < 5 ? size : size / .5e-3 * .2) * uniform(generator);
-          }
-
-        const auto measure = [&](double *tangent_store) {
-          const Batch batch{n_points,
+          std::mt19937                     generator(1);
+          std::uniform_real_distribution<> uniform(-1., 1.);
+          std::vector<double>              increments(n_points * n);
+          std::vector<double>              committed(n_points * n_state);
+          std::vector<double>              trial(committed.size());
+          std::vector<double>              stresses(increments.size());
+          std::vector<double>              tangents(increments.size() * n);
+          for (unsigned int p = 0; p < n_points; ++p)
+            {
+              const double pressure = 2e5 + 1e5 * uniform(generator);
+              Riedel::Material::InitialState initial;
+              for (unsigned int i = 0; i < 3; ++i)
+                initial.stress[i][i] =
+                  -pressure * (1. + .3 * uniform(generator));
+              initial.stress[0][1] = .2 * pressure * uniform(generator);
+              initial.void_ratio   = .7 + .12 * uniform(generator);
+              law->initialise(initial, committed.data() + p * n_state);
+              for (unsigned int i = 0; i < n; ++i)
+                increments[p * n + i] =
+                  (i < 5 ? size : size / .5e-3 * .2) * uniform(generator);
+              if (continued)
+                increments[p * n + 3] = -increments[p * n];
+            }
+          for (unsigned int step = 0; continued && step < 10; ++step)
+            {
+              law->respond({n_points,
                             increments.data(),
                             committed.data(),
                             trial.data(),
                             stresses.data(),
-                            tangent_store};
-          std::vector<double> times;
-          Report              report;
-          for (unsigned int r = 0; r < n_repeats; ++r)
-            {
-              const auto begin = std::chrono::steady_clock::now();
-              report           = law->respond(batch);
-              const auto end   = std::chrono::steady_clock::now();
-              times.push_back(
-                std::chrono::duration<double, std::micro>(end - begin).count());
+                            nullptr});
+              committed = trial;
             }
-          std::nth_element(times.begin(),
-                           times.begin() + n_repeats / 2,
-                           times.end());
-          return std::make_pair(times[n_repeats / 2] / n_points,
-                                static_cast<double>(report.substeps) /
-                                  n_points);
-        };
-        const auto value   = measure(nullptr);
-        const auto tangent = measure(tangents.data());
-        std::printf("%-28s %10.0e %12.3f %12.3f %10.2f\n",
-                    name.c_str(),
-                    size,
-                    value.first,
-                    tangent.first,
-                    value.second);
-      }
+
+          const auto measure = [&](double *tangent_store) {
+            const Batch         batch{n_points,
+                              increments.data(),
+                              committed.data(),
+                              trial.data(),
+                              stresses.data(),
+                              tangent_store};
+            std::vector<double> times;
+            Report              report;
+            for (unsigned int r = 0; r < n_repeats; ++r)
+              {
+                const auto begin = std::chrono::steady_clock::now();
+                report           = law->respond(batch);
+                const auto end   = std::chrono::steady_clock::now();
+                times.push_back(
+                  std::chrono::duration<double, std::micro>(end - begin)
+                    .count());
+              }
+            std::nth_element(times.begin(),
+                             times.begin() + n_repeats / 2,
+                             times.end());
+            return std::make_pair(times[n_repeats / 2] / n_points,
+                                  static_cast<double>(report.substeps) /
+                                    n_points);
+          };
+          const auto value   = measure(nullptr);
+          const auto tangent = measure(tangents.data());
+          std::printf("%-26s %-10s %9.0e %12.3f %12.3f %10.2f\n",
+                      name.c_str(),
+                      continued ? "continued" : "turned",
+                      size,
+                      value.first,
+                      tangent.first,
+                      value.second);
+        }
 }

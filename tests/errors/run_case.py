@@ -57,7 +57,8 @@ def main():
             faults.append(f"{times} times instead of once: {line}")
     if not setting("Ranks") and result.stdout:
         faults.append("there is something on stdout:\n" + result.stdout)
-    for word in ("Stacktrace", "terminate called", "An error occurred", "std::"):
+    for word in ("Stacktrace", "terminate called", "An error occurred", "Errc:",
+                 "std::"):
         if word in result.stderr:
             faults.append(f"users must not see {word!r}")
     if sorted(os.listdir(case.parent)) != before:

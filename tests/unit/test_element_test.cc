@@ -77,12 +77,11 @@ TEST_CASE("paths are read from text and from files", "[unit][element_test]")
   CHECK(from_file[0].repeats == 8);
   CHECK(from_file[1].increments[0] == 7.);
 
-  for (const std::string wrong :
-       {"set Increments = 1 2 3",
-        "set Increments = 1 2 3 4 5 6 seven",
-        "set Increments = 1 2 3 4 5 6 7 0.5",
-        "set Increments file = does_not_exist.csv",
-        "set Void ratio = 0.5"})
+  for (const std::string wrong : {"set Increments = 1 2 3",
+                                  "set Increments = 1 2 3 4 5 6 seven",
+                                  "set Increments = 1 2 3 4 5 6 7 0.5",
+                                  "set Increments file = does_not_exist.csv",
+                                  "set Void ratio = 0.5"})
     {
       INFO(wrong);
       const Parameters parameters = parse("set Test = path\n" + wrong);
@@ -115,10 +114,11 @@ TEST_CASE("an elastic point in the element test", "[unit][element_test]")
   CHECK(rows[4].state[0] ==
         Approx(-5. + 1000. * (lateral - .01) - 4000. * .01).epsilon(1e-10));
 
-  parameters.test = Test::isotropic;
+  parameters.test       = Test::isotropic;
   const auto &isotropic = test.run();
   CHECK(isotropic.back().state[0] - -5. == Approx(6000. * -.01).epsilon(1e-10));
-  CHECK(isotropic.back().state[1] - -10. == Approx(6000. * -.01).epsilon(1e-10));
+  CHECK(isotropic.back().state[1] - -10. ==
+        Approx(6000. * -.01).epsilon(1e-10));
 }
 
 
@@ -163,8 +163,8 @@ TEST_CASE("rows of the element test as a file", "[unit][element_test]")
 
 TEST_CASE("the element test says why it stopped", "[unit][element_test]")
 {
-  const auto law = LawTools::make_law("hypoplastic",
-                                      {{"Largest number of substeps", "1"}});
+  const auto law =
+    LawTools::make_law("hypoplastic", {{"Largest number of substeps", "1"}});
   Parameters parameters;
   parameters.test              = Test::oedometer;
   parameters.void_ratio        = .6;

@@ -103,11 +103,13 @@ TEST_CASE("a rigid rotation of a stressed point is exact (B1)",
   for (const std::string name : {"polar hypoplastic", "hypoplastic"})
     for (const unsigned int n_steps : {4, 36, 360})
       {
-        const auto law    = make_law(name);
-        const bool polar  = law->is_micropolar();
-        const double s21  = polar ? 10e3 : 20e3;
-        const auto start  = make_state(
-          *law, {-100e3, -150e3, -120e3, 20e3, s21}, {.02e3, -.01e3}, .65);
+        const auto   law   = make_law(name);
+        const bool   polar = law->is_micropolar();
+        const double s21   = polar ? 10e3 : 20e3;
+        const auto   start = make_state(*law,
+                                      {-100e3, -150e3, -120e3, 20e3, s21},
+                                      {.02e3, -.01e3},
+                                      .65);
         const double angle = 1.5707963267948966 / n_steps;
         auto         state = start;
         for (unsigned int step = 0; step < n_steps; ++step)
@@ -139,17 +141,16 @@ TEST_CASE("a rigid rotation of a stressed point is exact (B1)",
 TEST_CASE("solid volume: 1 + e follows det f whatever the path",
           "[unit][hypoplastic][law]")
 {
-  const auto   law = make_law("polar hypoplastic");
-  RandomPoints random(*law, 11);
+  const auto         law = make_law("polar hypoplastic");
+  RandomPoints       random(*law, 11);
   const unsigned int e = law->layout().find("void_ratio");
   for (unsigned int i = 0; i < 200; ++i)
     {
-      const auto   state = random.state();
-      const auto   d     = random.increments(3e-3);
+      const auto   state  = random.state();
+      const auto   d      = random.increments(3e-3);
       const Answer answer = respond(*law, state, d);
-      const double j = (1. + d[0]) * (1. + d[3]) - d[1] * d[2];
-      CHECK(1. + answer.state[e] ==
-            Approx((1. + state[e]) * j).epsilon(1e-15));
+      const double j      = (1. + d[0]) * (1. + d[3]) - d[1] * d[2];
+      CHECK(1. + answer.state[e] == Approx((1. + state[e]) * j).epsilon(1e-15));
     }
 }
 
@@ -159,10 +160,12 @@ TEST_CASE("rate independence: one step or the same motion in four",
           "[unit][hypoplastic][law]")
 {
   // f = exp(L): a shear with stretch along its axis has simple powers
-  const auto law   = make_law("polar hypoplastic",
-                            {{"Substep tolerance", "1e-8"}});
-  const auto start = make_state(
-    *law, {-100e3, -150e3, -120e3, 20e3, 10e3}, {.02e3, -.01e3}, .65);
+  const auto law =
+    make_law("polar hypoplastic", {{"Substep tolerance", "1e-8"}});
+  const auto start        = make_state(*law,
+                                {-100e3, -150e3, -120e3, 20e3, 10e3},
+                                {.02e3, -.01e3},
+                                .65);
   const auto simple_shear = [](const double shear, const double theta) {
     return std::vector<double>{0., shear, 0., 0., theta, 0., 0.};
   };
@@ -179,14 +182,16 @@ TEST_CASE("rate independence: one step or the same motion in four",
 TEST_CASE("a superposed rotation only rotates the result",
           "[unit][hypoplastic][law]")
 {
-  const auto law   = make_law("polar hypoplastic");
-  const auto start = make_state(
-    *law, {-100e3, -150e3, -120e3, 20e3, 10e3}, {.02e3, -.01e3}, .65);
+  const auto                law   = make_law("polar hypoplastic");
+  const auto                start = make_state(*law,
+                                {-100e3, -150e3, -120e3, 20e3, 10e3},
+                                {.02e3, -.01e3},
+                                .65);
   const std::vector<double> d{-1e-3, 4e-4, 2e-3, 5e-4, -1e-3, .6, -.3};
 
   const double angle = .9, c = std::cos(angle), s = std::sin(angle);
-  const double R[2][2]  = {{c, -s}, {s, c}};
-  const auto   rotate4  = [&](const double *a) {
+  const double R[2][2] = {{c, -s}, {s, c}};
+  const auto   rotate4 = [&](const double *a) {
     std::array<double, 4> b{};
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
@@ -199,20 +204,20 @@ TEST_CASE("a superposed rotation only rotates the result",
     return std::array<double, 2>{{c * a[0] - s * a[1], s * a[0] + c * a[1]}};
   };
 
-  const double plane[4]  = {start[0], start[3], start[4], start[1]};
-  const auto   sigma     = rotate4(plane);
-  const auto   m         = vector(&start[5]);
-  const auto   turned    = make_state(
-    *law,
-    {sigma[0], sigma[3], start[2], sigma[1], sigma[2]},
-    {m[0], m[1]},
-    .65);
+  const double plane[4] = {start[0], start[3], start[4], start[1]};
+  const auto   sigma    = rotate4(plane);
+  const auto   m        = vector(&start[5]);
+  const auto   turned =
+    make_state(*law,
+               {sigma[0], sigma[3], start[2], sigma[1], sigma[2]},
+               {m[0], m[1]},
+               .65);
   const auto H     = rotate4(d.data());
   const auto Gamma = vector(&d[5]);
 
   const Answer a = respond(*law, start, d);
-  const Answer b = respond(
-    *law, turned, {H[0], H[1], H[2], H[3], d[4], Gamma[0], Gamma[1]});
+  const Answer b =
+    respond(*law, turned, {H[0], H[1], H[2], H[3], d[4], Gamma[0], Gamma[1]});
   const auto P = rotate4(a.stresses.data());
   const auto M = vector(&a.stresses[5]);
   for (int i = 0; i < 4; ++i)
@@ -230,10 +235,11 @@ TEST_CASE("value and tangent mode agree; a batch is its points",
 {
   for (const std::string name : {"polar hypoplastic", "hypoplastic"})
     {
-      const auto         law = make_law(name);
-      const unsigned int n = law->n_generalised(), n_state = law->layout().size();
-      const unsigned int n_points = 50;
-      RandomPoints       random(*law, 21);
+      const auto         law       = make_law(name);
+      const unsigned int n         = law->n_generalised(),
+                         n_state   = law->layout().size();
+      const unsigned int  n_points = 50;
+      RandomPoints        random(*law, 21);
       std::vector<double> committed, increments;
       for (unsigned int p = 0; p < n_points; ++p)
         {
@@ -241,8 +247,8 @@ TEST_CASE("value and tangent mode agree; a batch is its points",
           committed.insert(committed.end(), s.begin(), s.end());
           increments.insert(increments.end(), d.begin(), d.end());
         }
-      std::vector<double>    trial(committed.size()), stresses(increments.size());
-      std::vector<double>    tangents(n_points * n * n);
+      std::vector<double> trial(committed.size()), stresses(increments.size());
+      std::vector<double> tangents(n_points * n * n);
       const Material::Report report = law->respond({n_points,
                                                     increments.data(),
                                                     committed.data(),
@@ -253,18 +259,16 @@ TEST_CASE("value and tangent mode agree; a batch is its points",
       unsigned long long substeps = 0;
       for (unsigned int p = 0; p < n_points; ++p)
         {
-          const Answer single =
-            respond(*law,
-                    {committed.begin() + p * n_state,
-                     committed.begin() + (p + 1) * n_state},
-                    {increments.begin() + p * n,
-                     increments.begin() + (p + 1) * n});
+          const Answer single = respond(*law,
+                                        {committed.begin() + p * n_state,
+                                         committed.begin() + (p + 1) * n_state},
+                                        {increments.begin() + p * n,
+                                         increments.begin() + (p + 1) * n});
           substeps += single.report.substeps;
           for (unsigned int i = 0; i < n; ++i)
-            CHECK(stresses[p * n + i] ==
-                  Approx(single.stresses[i])
-                    .epsilon(1e-11)
-                    .margin(i < 5 ? 1e-6 : 1e-9));
+            CHECK(stresses[p * n + i] == Approx(single.stresses[i])
+                                           .epsilon(1e-11)
+                                           .margin(i < 5 ? 1e-6 : 1e-9));
         }
       CHECK(substeps == report.substeps);
     }
@@ -315,9 +319,9 @@ TEST_CASE("tangent against central differences on random points",
               auto         plus = d, minus = d;
               plus[b] += step;
               minus[b] -= step;
-              const Answer up = respond(*law, state, plus);
+              const Answer up   = respond(*law, state, plus);
               const Answer down = respond(*law, state, minus);
-              same_steps = same_steps &&
+              same_steps        = same_steps &&
                            up.report.substeps == at.report.substeps &&
                            down.report.substeps == at.report.substeps;
               double first = 0., second = 0.;
@@ -368,9 +372,11 @@ TEST_CASE("tangent against central differences on random points",
 TEST_CASE("at rest: stresses, and a tangent from the linear part",
           "[unit][hypoplastic][law]")
 {
-  const auto law   = make_law("polar hypoplastic");
-  const auto start = make_state(
-    *law, {-100e3, -150e3, -120e3, 20e3, 10e3}, {.02e3, -.01e3}, .65);
+  const auto   law    = make_law("polar hypoplastic");
+  const auto   start  = make_state(*law,
+                                {-100e3, -150e3, -120e3, 20e3, 10e3},
+                                {.02e3, -.01e3},
+                                .65);
   const Answer answer = respond(*law, start, std::vector<double>(7, 0.), true);
   REQUIRE(is_finite(answer));
   double at_rest[7];
@@ -388,9 +394,9 @@ TEST_CASE("at rest: stresses, and a tangent from the linear part",
   // the derivative at r = 0 is zero; f_s and a_1 of D1
   const double f_s = 304118.8393554030e3, a_1 = .306206907504;
   const double m_hat = 20. / (-370e3 * d_50);
-  CHECK(answer.tangent[5 * 7 + 5] ==
-        Approx(f_s * a_1 * a_1 * d_50 * d_50 * (1. + m_hat * m_hat))
-          .epsilon(1e-9));
+  CHECK(
+    answer.tangent[5 * 7 + 5] ==
+    Approx(f_s * a_1 * a_1 * d_50 * d_50 * (1. + m_hat * m_hat)).epsilon(1e-9));
 }
 
 
@@ -402,24 +408,24 @@ TEST_CASE("small grains: the polar law becomes the classical one",
   const auto polar =
     make_law("polar hypoplastic", {{"Mean grain diameter", "1e-9"}});
   const std::vector<double> stress{-100e3, -150e3, -120e3, 20e3, 20e3};
-  const auto c_start = make_state(*classical, stress, {}, .65);
-  const auto p_start = make_state(*polar, stress, {0., 0.}, .65);
+  const auto                c_start = make_state(*classical, stress, {}, .65);
+  const auto                p_start = make_state(*polar, stress, {0., 0.}, .65);
 
   const std::vector<double> d{-1e-3, 4e-4, 2e-3, 5e-4};
   // grains that rotate with the continuum, and a strong curvature
   const double theta = std::atan2(d[2] - d[1], 2. + d[0] + d[3]);
   // the spin of log f is close to, but not, the polar decomposition's
   const Answer a = respond(*classical, c_start, d);
-  const Answer b = respond(
-    *polar, p_start, {d[0], d[1], d[2], d[3], theta, 100., -50.});
+  const Answer b =
+    respond(*polar, p_start, {d[0], d[1], d[2], d[3], theta, 100., -50.});
   for (unsigned int i = 0; i < 5; ++i)
     CHECK(b.state[i] == Approx(a.state[i]).epsilon(1e-5));
   CHECK(b.state[7] == Approx(a.state[5]).epsilon(1e-14));
 
   // with large grains it is another law
   const auto   coarse = make_law("polar hypoplastic");
-  const Answer other  = respond(
-    *coarse, p_start, {d[0], d[1], d[2], d[3], theta, 100., -50.});
+  const Answer other =
+    respond(*coarse, p_start, {d[0], d[1], d[2], d[3], theta, 100., -50.});
   CHECK(std::abs(other.state[0] - a.state[0]) > 1e-2 * std::abs(a.state[0]));
 }
 
@@ -429,8 +435,10 @@ TEST_CASE("polar constant: its three forms", "[unit][hypoplastic][law]")
 {
   const auto couple = [](const std::string &text) {
     const auto law = make_law("polar hypoplastic", {{"Polar constant", text}});
-    const auto start = make_state(
-      *law, {-100e3, -150e3, -120e3, 20e3, 10e3}, {.02e3, -.01e3}, .65);
+    const auto start = make_state(*law,
+                                  {-100e3, -150e3, -120e3, 20e3, 10e3},
+                                  {.02e3, -.01e3},
+                                  .65);
     // dominated by r: a long way, so that the couple stress feels a_c
     return respond(*law, start, {0., 1e-3, 0., 0., 0., 1., 0.}).state[5];
   };
@@ -450,13 +458,13 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
 {
   for (const std::string name : {"polar hypoplastic", "hypoplastic"})
     {
-      const auto         law   = make_law(name);
-      const bool         polar = law->is_micropolar();
-      const unsigned int n     = law->n_generalised();
-      const auto         state_of =
-        [&](const std::vector<double> &stress, const double void_ratio) {
-          return make_state(*law, stress, {.5, .5}, void_ratio);
-        };
+      const auto         law      = make_law(name);
+      const bool         polar    = law->is_micropolar();
+      const unsigned int n        = law->n_generalised();
+      const auto         state_of = [&](const std::vector<double> &stress,
+                                const double               void_ratio) {
+        return make_state(*law, stress, {.5, .5}, void_ratio);
+      };
       const auto increment = [&](const double h11, const double h22) {
         std::vector<double> d(n, 0.);
         d[0] = h11;
@@ -468,11 +476,10 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
 
       SECTION(name + ": extension ends on the floor")
       {
-        const Answer answer =
-          respond(*law,
-                  state_of({-5e3, -5e3, -5e3, 0., 0.}, .7),
-                  increment(1e-2, 1e-2),
-                  true);
+        const Answer answer = respond(*law,
+                                      state_of({-5e3, -5e3, -5e3, 0., 0.}, .7),
+                                      increment(1e-2, 1e-2),
+                                      true);
         CHECK(is_finite(answer));
         CHECK(answer.report.refused == 0);
         CHECK(answer.report.floored == 1);
@@ -487,8 +494,7 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
         CHECK(answer.tangent[3 * n + 3] > 1e4);
 
         // it stays there, at the price of one substep, and comes back
-        const Answer stays =
-          respond(*law, answer.state, increment(1e-3, 1e-3));
+        const Answer stays = respond(*law, answer.state, increment(1e-3, 1e-3));
         CHECK(stays.report.floored == 1);
         CHECK(stays.report.substeps == 1);
         CHECK(mean_pressure(stays.state) == Approx(100.).epsilon(1e-12));
@@ -540,8 +546,7 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
           respond(*law, dense, std::vector<double>(n, 0.), true);
         CHECK(resisted.report.floored == 1);
         CHECK(is_finite(resisted));
-        CHECK(mean_pressure(resisted.state) ==
-              Approx(expected).epsilon(1e-10));
+        CHECK(mean_pressure(resisted.state) == Approx(expected).epsilon(1e-10));
       }
 
       SECTION(name + ": five percent at once")
@@ -564,7 +569,8 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
         auto state = state_of({-2e3, -2e3, -2e3, 0., 0.}, .52);
         for (unsigned int i = 0; i < 100; ++i)
           {
-            const Answer answer = respond(*law, state, increment(-1e-3, 2e-3), true);
+            const Answer answer =
+              respond(*law, state, increment(-1e-3, 2e-3), true);
             REQUIRE(is_finite(answer));
             REQUIRE(answer.report.refused == 0);
             REQUIRE(mean_pressure(answer.state) > 99.);
@@ -574,7 +580,7 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
 
       SECTION(name + ": refused increments leave a reason")
       {
-        const auto start = state_of({-100e3, -100e3, -100e3, 0., 0.}, .6);
+        const auto start  = state_of({-100e3, -100e3, -100e3, 0., 0.}, .6);
         const auto reason = [&](const std::vector<double> &d) {
           const Answer answer = respond(*law, start, d, true);
           CHECK(answer.report.refused == 1);
@@ -606,15 +612,15 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
 TEST_CASE("skew shear stresses without real deviator are counted",
           "[unit][hypoplastic][law]")
 {
-  const auto   law   = make_law("polar hypoplastic");
-  const auto   start = make_state(
-    *law, {-100e3, -100e3, -100e3, 30e3, -30e3}, {0., 0.}, .65);
+  const auto law = make_law("polar hypoplastic");
+  const auto start =
+    make_state(*law, {-100e3, -100e3, -100e3, 30e3, -30e3}, {0., 0.}, .65);
   const Answer answer =
     respond(*law, start, {-1e-4, 0., 0., 0., 0., 0., 0.}, true);
   CHECK(is_finite(answer));
   CHECK(answer.report.null_deviator == 1);
-  const auto   usual = make_state(
-    *law, {-100e3, -120e3, -110e3, 30e3, 20e3}, {0., 0.}, .65);
+  const auto usual =
+    make_state(*law, {-100e3, -120e3, -110e3, 30e3, 20e3}, {0., 0.}, .65);
   CHECK(respond(*law, usual, {-1e-4, 0., 0., 0., 0., 0., 0.})
           .report.null_deviator == 0);
 }
@@ -643,8 +649,8 @@ TEST_CASE("the first substep comes from the committed state",
   CHECK(second.state[slot] >= first.state[slot]);
 
   // started finely, the result is the same within the tolerance
-  auto fine  = start;
-  fine[slot] = 1e-5;
+  auto fine            = start;
+  fine[slot]           = 1e-5;
   const Answer careful = respond(*law, fine, d);
   CHECK(careful.report.substeps > first.report.substeps);
   CHECK(careful.state[0] == Approx(first.state[0]).epsilon(1e-3));

@@ -137,22 +137,21 @@ TEST_CASE("oedometric compression (compression.csv, D3)",
   unsigned int          compared = 0;
   for (const double void_ratio : {.6, .75})
     {
-      const auto rows =
-        run(*law, Test::oedometer, void_ratio, 1e3, .03, 2400);
+      const auto rows = run(*law, Test::oedometer, void_ratio, 1e3, .03, 2400);
       for (unsigned int i = 0; i < table.rows.size(); ++i)
         if (table.text(i, "test") == "oedo" &&
             table.number(i, "e0") == void_ratio)
           {
-            const Row &row = rows.at(
-              std::lround(table.number(i, "eps_vert") / .03 * 2400));
-            INFO("e0 " << void_ratio << ", eps " << table.number(i, "eps_vert"));
+            const Row &row =
+              rows.at(std::lround(table.number(i, "eps_vert") / .03 * 2400));
+            INFO("e0 " << void_ratio << ", eps "
+                       << table.number(i, "eps_vert"));
             CHECK(row.state[1] ==
                   Approx(table.number(i, "s_vert") * 1e3).epsilon(1e-5));
             CHECK(row.state[0] ==
                   Approx(table.number(i, "s_lat") * 1e3).epsilon(1e-5));
             CHECK(row.state[2] == Approx(row.state[0]).epsilon(1e-9));
-            CHECK(row.state[e] ==
-                  Approx(table.number(i, "e")).epsilon(1e-7));
+            CHECK(row.state[e] == Approx(table.number(i, "e")).epsilon(1e-7));
             ++compared;
           }
     }
@@ -198,19 +197,19 @@ namespace
     const double                               trace = state.s1 + 2. * state.s2;
     const double                               h1    = state.s1 / trace;
     const double                               h2    = state.s2 / trace;
-    const Material::HypoplasticFactors<double> factors(
-      constants,
-      trace,
-      h2 - 1. / 3.,
-      (h1 - 1. / 3.) * (h2 - 1. / 3.),
-      state.e,
-      flags);
+    const Material::HypoplasticFactors<double> factors(constants,
+                                                       trace,
+                                                       h2 - 1. / 3.,
+                                                       (h1 - 1. / 3.) *
+                                                         (h2 - 1. / 3.),
+                                                       state.e,
+                                                       flags);
     const double r      = std::sqrt(d1 * d1 + 2. * d2 * d2);
     const double inner  = h1 * d1 + 2. * h2 * d2;
     const double a      = factors.a_1;
     const auto   stress = [&](const double h, const double d) {
-      return factors.f_s * (a * a * d + h * inner +
-                            factors.f_d * a * (2. * h - 1. / 3.) * r);
+      return factors.f_s *
+             (a * a * d + h * inner + factors.f_d * a * (2. * h - 1. / 3.) * r);
     };
     return {stress(h1, d1), stress(h2, d2), (1. + state.e) * (d1 + 2. * d2)};
   }
@@ -228,7 +227,7 @@ namespace
     const PrincipalState k2 = rate(shifted(k1, step / 2));
     const PrincipalState k3 = rate(shifted(k2, step / 2));
     const PrincipalState k4 = rate(shifted(k3, step));
-    state = PrincipalState{
+    state                   = PrincipalState{
       state.s1 + step / 6 * (k1.s1 + 2 * k2.s1 + 2 * k3.s1 + k4.s1),
       state.s2 + step / 6 * (k1.s2 + 2 * k2.s2 + 2 * k3.s2 + k4.s2),
       state.e + step / 6 * (k1.e + 2 * k2.e + 2 * k3.e + k4.e)};

@@ -40,9 +40,7 @@ TEST_CASE("materials by name and place", "[unit][material]")
   const auto parameters =
     parse({{"soil", "linear elastic"}, {"block", "linear elastic"}},
           elastic("soil", "linear elastic") +
-            elastic("block",
-                    "linear elastic",
-                    "set Box = 0.5, 0 : 1, 0.25"));
+            elastic("block", "linear elastic", "set Box = 0.5, 0 : 1, 0.25"));
   REQUIRE(parameters.materials.size() == 2);
   CHECK(parameters.materials[0].name == "soil");
   CHECK(parameters.materials[0].everywhere);
@@ -55,10 +53,9 @@ TEST_CASE("materials by name and place", "[unit][material]")
   parameters.check(problems);
   CHECK(problems.errors.empty());
 
-  const auto only = parse({{"block", "linear elastic"}},
-                          elastic("block",
-                                  "linear elastic",
-                                  "set Box = 0.5, 0 : 1, 0.25"));
+  const auto only =
+    parse({{"block", "linear elastic"}},
+          elastic("block", "linear elastic", "set Box = 0.5, 0 : 1, 0.25"));
   CHECK(only.material_at({.2, .1}) == -1);
 }
 
@@ -108,15 +105,32 @@ TEST_CASE("an unknown law declares only what every material has",
           "[unit][material]")
 {
   dealii::ParameterHandler prm;
-  Material::Parameters<2>::declare(prm, {{"sand", "plar hypoplastic"}, {"b", ""}});
+  Material::Parameters<2>::declare(prm,
+                                   {{"sand", "plar hypoplastic"}, {"b", ""}});
   prm.enter_subsection("Materials");
   prm.enter_subsection("sand");
   CHECK(prm.get("Box").empty());
-  CHECK_THROWS(prm.get("Granular hardness"));
+  CHECK_THROWS(prm.set("Granular hardness", "1"));
   // the pattern names the known laws
   CHECK_THROWS(prm.set("Law", "plar hypoplastic"));
   for (const std::string &law : Material::known_laws())
     CHECK_NOTHROW(prm.set("Law", law));
+  prm.leave_subsection();
+  prm.leave_subsection();
+
+  Material::Parameters<2> parameters;
+  try
+    {
+      parameters.parse(prm, {{"sand", "plar hypoplastic"}});
+      FAIL("an unknown law was accepted");
+    }
+  catch (const InputError &error)
+    {
+      const std::string text = error.what();
+      CHECK(text.find("Materials/sand/Law") != std::string::npos);
+      CHECK(text.find("`plar hypoplastic'") != std::string::npos);
+      CHECK(text.find("`polar hypoplastic'") != std::string::npos);
+    }
 }
 
 
@@ -141,9 +155,11 @@ TEST_CASE("Karlsruhe sand is the published one", "[unit][material]")
   CHECK(law.length() == .5e-3);
 
   // the same answer as with the constants of these tests
-  const auto expected = LawTools::make_law("polar hypoplastic");
-  const auto state    = LawTools::make_state(
-    law, {-1e5, -1.5e5, -1.2e5, 2e4, 1e4}, {20., -10.}, .65);
+  const auto                expected = LawTools::make_law("polar hypoplastic");
+  const auto                state    = LawTools::make_state(law,
+                                          {-1e5, -1.5e5, -1.2e5, 2e4, 1e4},
+                                          {20., -10.},
+                                          .65);
   const std::vector<double> d{-1e-3, 1e-4, 2e-4, 5e-4, 1e-4, 1., 0.};
   CHECK(LawTools::respond(law, state, d).stresses ==
         LawTools::respond(*expected, state, d).stresses);

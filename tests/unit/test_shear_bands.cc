@@ -540,6 +540,14 @@ TEST_CASE("bands need a grain size and complete fields", "[unit]")
   DeformedField field = reflected_field(reflected_bands(50., 5e-3), 5e-3);
   CHECK_THROWS_AS(measure_shear_bands(field, BandMeasureOptions()),
                   std::logic_error);
+
+  // points without void ratios are no error, some without are
+  field.points = {{{0.02, 0.02}}, {{0.05, 0.02}}};
+  CHECK(std::isnan(measure(field).void_ratio_outside));
+  field.void_ratio = {0.6};
+  CHECK_THROWS_AS(measure(field), std::logic_error);
+
+  field.void_ratio = {0.6, 0.6};
   field.rotation.pop_back();
   CHECK_THROWS_AS(measure(field), std::logic_error);
 

@@ -54,8 +54,8 @@ TEST_CASE("laws declare the slots that others read", "[unit][layout]")
       CHECK(law->n_generalised() == (law->is_micropolar() ? 7 : 4));
       for (const std::string component : {"11", "22", "33", "12", "21"})
         CHECK(law->layout().find("stress", component) != StateLayout::absent);
-      CHECK((law->layout().find("couple_stress", "2") !=
-             StateLayout::absent) == law->is_micropolar());
+      CHECK((law->layout().find("couple_stress", "2") != StateLayout::absent) ==
+            law->is_micropolar());
       CHECK((law->layout().find("void_ratio") != StateLayout::absent) ==
             (name.find("hypoplastic") != std::string::npos));
     }

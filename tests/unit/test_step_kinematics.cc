@@ -80,8 +80,8 @@ TEST_CASE("log f is exact to rounding, for steps of any size",
             H[c] = static_cast<double>(H_exact[c]);
           const std::array<double, 4> found = logarithm(H);
           for (int c = 0; c < 4; ++c)
-            worst = std::max(
-              worst, std::abs(found[c] - static_cast<double>(L[c])));
+            worst =
+              std::max(worst, std::abs(found[c] - static_cast<double>(L[c])));
         }
       INFO("size " << size << ", error " << worst);
       // a few roundings of the largest component, never of one
@@ -93,8 +93,8 @@ TEST_CASE("log f is exact to rounding, for steps of any size",
 
 TEST_CASE("log f of a rotation is the angle", "[unit][kinematics]")
 {
-  for (const double angle : {1e-10, 1e-3, .03, .06, .5, 1.5707963267948966, 2.5,
-                             3.1, -1.2, -3.})
+  for (const double angle :
+       {1e-10, 1e-3, .03, .06, .5, 1.5707963267948966, 2.5, 3.1, -1.2, -3.})
     {
       const double                s = std::sin(angle);
       const double                c = -2. * std::pow(std::sin(angle / 2), 2);

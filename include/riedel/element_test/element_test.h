@@ -69,8 +69,8 @@ namespace Riedel::ElementTest
             std::vector<double>       &stresses,
             std::vector<double>       *tangent) const;
 
-    const Parameters        &parameters;
-    const Material::Law<2>  &law;
-    std::vector<Row>         results;
+    const Parameters       &parameters;
+    const Material::Law<2> &law;
+    std::vector<Row>        results;
   };
 } // namespace Riedel::ElementTest

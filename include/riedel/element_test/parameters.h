@@ -35,15 +35,15 @@ namespace Riedel::ElementTest
    */
   struct Parameters
   {
-    Test        test = Test::biaxial;
-    std::string material;                 ///< name of the material, or empty
-    double      void_ratio        = 0.;   ///< at the start
-    double      vertical_pressure = 0.;   ///< -sigma_22 at the start [Pa]
-    double      K0                = 1.;   ///< sigma_11 = sigma_33 = K0 sigma_22
-    double      axial_strain      = 0.;   ///< logarithmic shortening at the end
-    unsigned int steps            = 1;    ///< of equal logarithmic strain
-    std::string  increments;              ///< rows of a path, inline
-    std::string  increments_file;         ///< rows of a path, a CSV file
+    Test         test = Test::biaxial;
+    std::string  material;               ///< name of the material, or empty
+    double       void_ratio        = 0.; ///< at the start
+    double       vertical_pressure = 0.; ///< -sigma_22 at the start [Pa]
+    double       K0                = 1.; ///< sigma_11 = sigma_33 = K0 sigma_22
+    double       axial_strain      = 0.; ///< logarithmic shortening at the end
+    unsigned int steps             = 1;  ///< of equal logarithmic strain
+    std::string  increments;             ///< rows of a path, inline
+    std::string  increments_file;        ///< rows of a path, a CSV file
 
     static void
     declare(dealii::ParameterHandler &prm);

@@ -176,6 +176,7 @@ namespace Riedel::Equilibrium
 
     std::vector<double> start;      ///< displacement at the step's start
     std::vector<double> prescribed; ///< increments, by local number
+    std::vector<double> body_forces; ///< relevant dofs
     double              load = 0.0;
     /// nodal forces of the last sweep, relevant dofs
     std::vector<double>   increment, internal, applied, virtual_forces;

@@ -121,15 +121,17 @@ namespace Riedel::Material
       Number       scaled = void_ratio * growth;
       const double range =
         constants.critical_void_ratio - constants.minimum_void_ratio;
-      const double smallest = constants.minimum_void_ratio +
-                              HypoplasticConstants::smallest_density_base * range;
+      const double smallest =
+        constants.minimum_void_ratio +
+        HypoplasticConstants::smallest_density_base * range;
       if (!(value_of(scaled) > smallest))
         {
           scaled        = Number(smallest);
           flags.clamped = true;
         }
-      const Number base = (scaled - constants.minimum_void_ratio) * (1. / range);
-      f_d               = pow(base, constants.density_exponent);
+      const Number base =
+        (scaled - constants.minimum_void_ratio) * (1. / range);
+      f_d = pow(base, constants.density_exponent);
       f_s = (growth + constants.maximum_void_ratio) * y / (scaled * yn) *
             constants.stiffness_factor;
 
@@ -142,8 +144,8 @@ namespace Riedel::Material
         {
           const Number length = sqrt(deviator_square);
           // |s^*| cos 3 theta, eq. (27)
-          const Number cosine_part = deviator_33 * determinant *
-                                     (-3. * std::sqrt(6.)) / deviator_square;
+          const Number cosine_part =
+            deviator_33 * determinant * (-3. * std::sqrt(6.)) / deviator_square;
           // |cos 3 theta| is at most 1 for a symmetric tensor, slightly more
           // for usual skew parts and without bound where s^*_kl s^*_lk
           // vanishes. The bound makes 1/a_1 continuous there.
@@ -156,8 +158,7 @@ namespace Riedel::Material
                 constants.c_1 + (constants.c_2 * (1. + cosine)) * length;
             }
           else
-            inverse_a1 =
-              constants.c_1 + constants.c_2 * (length + cosine_part);
+            inverse_a1 = constants.c_1 + constants.c_2 * (length + cosine_part);
         }
       else if (square < -null)
         flags.null_deviator = true;
@@ -233,8 +234,8 @@ namespace Riedel::Material
     if constexpr (micropolar)
       power += s[5] * d[4] + s[6] * d[5];
 
-    const Number fd_r      = factors.f_d * r;
-    const Number nonlinear = fd_r * a_1;
+    const Number fd_r         = factors.f_d * r;
+    const Number nonlinear    = fd_r * a_1;
     const Number a_1_square   = a_1 * a_1;
     const Number linear       = factors.f_s * a_1_square;
     const Number along_stress = factors.f_s * (power + 2. * nonlinear);
@@ -250,11 +251,10 @@ namespace Riedel::Material
       {
         // a_1^2 a_c in one polynomial, so that 1/a_1 is never formed again
         const Number along_couple =
-          factors.f_s *
-          (a_1_square * power +
-           nonlinear * (constants.polar_inverse +
-                        a_1 * (constants.polar_number +
-                               a_1 * constants.polar_linear)));
+          factors.f_s * (a_1_square * power +
+                         nonlinear * (constants.polar_inverse +
+                                      a_1 * (constants.polar_number +
+                                             a_1 * constants.polar_linear)));
         rate[5] = linear * d[4] + along_couple * s[5];
         rate[6] = linear * d[5] + along_couple * s[6];
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/material/hypoplastic_rate.h>
+#include <riedel/material/hypoplastic_step.h>
 #include <riedel/material/law.h>
 
 #include <string>
@@ -76,37 +77,24 @@ namespace Riedel::Material
                   Problems           &problems) const override;
 
   private:
-    struct PointReport;
-
     template <typename Number>
     Report
     respond_all(const Batch &batch) const;
 
     template <typename Number>
     Report::Refusal
-    respond_point(const double *increment,
-                  const double *committed,
-                  double       *trial,
-                  double       *stresses,
-                  double       *tangent,
-                  PointReport  &report) const;
-
-    /// Pressure below which a point is put to rest on it [Pa]: the floor
-    /// pressure and, below e_d, the resistance against further compaction.
-    template <typename Number>
-    Number
-    smallest_pressure(const Number &void_ratio) const;
+    respond_point(const double           *increment,
+                  const double           *committed,
+                  double                 *trial,
+                  double                 *stresses,
+                  double                 *tangent,
+                  HypoplasticPointReport &report) const;
 
     StateLayout          slots;
     HypoplasticConstants constants;
+    HypoplasticControls  controls;
     std::string          polar_constant    = "1/a1";
     bool                 polar_constant_ok = true;
-    double               floor_pressure    = 0.;
-    double               substep_tolerance = 0.;
-    /// smallest substeps in a step, a power of two
-    unsigned int n_smallest_substeps = 1;
-    /// e_d at the floor pressure
-    double densest_at_floor = 0.;
   };
 
   using PolarHypoplastic     = Hypoplastic<true>;

@@ -108,11 +108,12 @@ namespace Riedel::Material
     static constexpr double error[4]   = {-5. / 72, 1. / 12, 1. / 9, -1. / 8};
 
     /// Length of the substep whose error would just be tolerated, in units of
-    /// the present one. @p error is the present error over its tolerance.
+    /// the present one; not less than a tenth, for the estimate means little
+    /// far away. @p error is the present error over its tolerance.
     static double
     suggested_length(const double error)
     {
-      return .9 / std::cbrt(std::max(error, 1e-30));
+      return std::max(.1, .9 / std::cbrt(std::max(error, 1e-30)));
     }
   };
 } // namespace Riedel::Material

@@ -1,0 +1,502 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/continuum/plane_tensor.h>
+#include <riedel/material/hypoplastic_rate.h>
+#include <riedel/material/law.h>
+#include <riedel/material/substepping.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace Riedel::Material
+{
+  /// What keeps the integration of the rate in its limits.
+  struct HypoplasticControls
+  {
+    double floor_pressure    = 0.; ///< [Pa]
+    double substep_tolerance = 0.; ///< relative
+    /// smallest substeps in a step, a power of two
+    unsigned int n_smallest_substeps = 1;
+    /// e_d at the floor pressure
+    double densest_at_floor = 0.;
+
+    /// Stiffness of the resistance against compaction below e_d [Pa]
+    static constexpr double compaction_resistance = 1e7;
+
+    /// A stage whose pressure is below this part of the floor pressure is
+    /// not evaluated: the rate is singular at zero pressure.
+    static constexpr double smallest_stage_pressure = .1;
+
+    /// Strain that one substep is believed to resolve if nothing is known.
+    static constexpr double largest_substep_strain = 1.;
+
+    /// Pressure below which a point is put to rest on it [Pa]: the floor
+    /// pressure and, below e_d, the resistance against further compaction.
+    template <typename Number>
+    Number
+    smallest_pressure(const Number &void_ratio) const
+    {
+      if (Continuum::value_of(void_ratio) < densest_at_floor)
+        return floor_pressure + compaction_resistance *
+                                  (densest_at_floor - void_ratio) /
+                                  (1. + void_ratio);
+      return Number(floor_pressure);
+    }
+  };
+
+
+
+  /// What happened to a point in a step.
+  struct HypoplasticPointReport
+  {
+    bool             floored = false;
+    HypoplasticFlags flags;
+    unsigned int     substeps = 0;
+  };
+
+
+
+  /// The values of an array of numbers.
+  template <typename Number, std::size_t n>
+  std::array<double, n>
+  values_of(const std::array<Number, n> &numbers)
+  {
+    std::array<double, n> values;
+    for (std::size_t i = 0; i < n; ++i)
+      values[i] = Continuum::value_of(numbers[i]);
+    return values;
+  }
+
+
+
+  /// What drives a point through a step: d^c dt and k d_50 dt in the fixed
+  /// frame, and the spin by which the rotating frame turns.
+  template <bool micropolar, typename Number>
+  struct HypoplasticLoading
+  {
+    Continuum::PlaneTensor<Number> d;
+    std::array<Number, 2>          k;
+    Number                         spin;
+    /// sqrt(d^c:d^c + (k d_50)^2), the same in every frame
+    Number length;
+
+    /// Components in the frame that has turned for the part @p time of the
+    /// step.
+    HypoplasticStretching<micropolar, Number>
+    at(const double time) const
+    {
+      if (time == 0.)
+        return components(d, k);
+      const Continuum::PlaneRotation<Number> rotation(spin * time);
+      return components(d.to_turned_frame(rotation),
+                        micropolar ? to_turned_frame(k, rotation) : k);
+    }
+
+    HypoplasticLoading<micropolar, double>
+    values() const
+    {
+      return {{Continuum::value_of(d.mean),
+               Continuum::value_of(d.difference),
+               Continuum::value_of(d.shear),
+               Continuum::value_of(d.turn)},
+              values_of(k),
+              Continuum::value_of(spin),
+              Continuum::value_of(length)};
+    }
+
+  private:
+    static HypoplasticStretching<micropolar, Number>
+    components(const Continuum::PlaneTensor<Number> &d,
+               const std::array<Number, 2>          &k)
+    {
+      const Number d_11 = d.mean + d.difference;
+      const Number d_22 = d.mean - d.difference;
+      if constexpr (micropolar)
+        return {{d_11, d_22, d.shear - d.turn, d.shear + d.turn, k[0], k[1]}};
+      else
+        return {{d_11, d_22, d.shear, d.shear}};
+    }
+  };
+
+
+
+  /// -tr sigma / 3 [Pa]
+  template <typename Stress>
+  double
+  mean_pressure(const Stress &y)
+  {
+    return (Continuum::value_of(y[0]) + Continuum::value_of(y[1]) +
+            Continuum::value_of(y[2])) *
+           (-1. / 3.);
+  }
+
+
+
+  /// Are the principal stresses (of the symmetric part) compressive?
+  template <typename Stress>
+  bool
+  is_compressive(const Stress &y)
+  {
+    const double s11 = Continuum::value_of(y[0]),
+                 s22 = Continuum::value_of(y[1]);
+    const double s12 =
+      .5 * (Continuum::value_of(y[3]) + Continuum::value_of(y[4]));
+    return s11 + s22 < 0. && s11 * s22 > s12 * s12 &&
+           Continuum::value_of(y[2]) < 0.;
+  }
+
+
+
+  /// One substep of the integrator.
+  template <bool micropolar, typename Number>
+  struct HypoplasticSubstep
+  {
+    using Stress       = HypoplasticStress<micropolar, Number>;
+    using StressValues = HypoplasticStress<micropolar, double>;
+
+    /// Start and length, as parts of the step.
+    struct Interval
+    {
+      double begin;
+      double length;
+    };
+
+    Stress       end;
+    StressValues rate_end;
+    /// estimated error, relative to the size of the stresses
+    double error;
+    /// of the stages inside the substep
+    HypoplasticFlags flags;
+    /// of its end
+    HypoplasticFlags flags_end;
+
+    /**
+     * Takes the substep. Returns false, with the other members undefined, if
+     * a stage or the end is in tension.
+     *
+     * @param void_ratios at 1/2, 3/4 and the end of the substep
+     */
+    bool
+    attempt(const HypoplasticConstants                   &constants,
+            const double                                  floor_pressure,
+            const Interval                               &interval,
+            const Stress                                 &begin,
+            const Stress                                 &rate_begin,
+            const std::array<Number, 3>                  &void_ratios,
+            const HypoplasticLoading<micropolar, Number> &loading,
+            const HypoplasticLoading<micropolar, double> &loading_values)
+    {
+      const double t = interval.begin;
+      const double h = interval.length;
+      const double lowest =
+        HypoplasticControls::smallest_stage_pressure * floor_pressure;
+      flags = flags_end = HypoplasticFlags();
+
+      Stress stage;
+      for (unsigned int i = 0; i < stage.size(); ++i)
+        stage[i] = begin[i] + (.5 * h) * rate_begin[i];
+      if (!(mean_pressure(stage) > lowest))
+        return false;
+      const Stress rate_half =
+        hypoplastic_rate<micropolar, Number>(constants,
+                                             stage,
+                                             void_ratios[0],
+                                             loading.at(t + .5 * h),
+                                             loading.length,
+                                             flags);
+
+      for (unsigned int i = 0; i < stage.size(); ++i)
+        stage[i] = begin[i] + (.75 * h) * rate_half[i];
+      if (!(mean_pressure(stage) > lowest))
+        return false;
+      const Stress rate_quarter =
+        hypoplastic_rate<micropolar, Number>(constants,
+                                             stage,
+                                             void_ratios[1],
+                                             loading.at(t + .75 * h),
+                                             loading.length,
+                                             flags);
+
+      for (unsigned int i = 0; i < end.size(); ++i)
+        end[i] = begin[i] + (h * BogackiShampine::advance[0]) * rate_begin[i] +
+                 (h * BogackiShampine::advance[1]) * rate_half[i] +
+                 (h * BogackiShampine::advance[2]) * rate_quarter[i];
+      if (!(mean_pressure(end) > lowest) || !is_compressive(end))
+        return false;
+
+      // the last stage serves the error only, and needs no derivatives
+      const StressValues values = values_of(end);
+      rate_end = hypoplastic_rate<micropolar, double>(constants,
+                                                      values,
+                                                      Continuum::value_of(
+                                                        void_ratios[2]),
+                                                      loading_values.at(t + h),
+                                                      loading_values.length,
+                                                      flags_end);
+
+      // Separate norms of stress and couple stress. Their lower bounds keep
+      // points near the floor, or without couple stress, from endless
+      // accuracy.
+      double stress_error = 0., couple_error = 0.;
+      double stress_scale = 0., couple_scale = 0.;
+      for (unsigned int i = 0; i < end.size(); ++i)
+        {
+          const double difference =
+            h *
+            (BogackiShampine::error[0] * Continuum::value_of(rate_begin[i]) +
+             BogackiShampine::error[1] * Continuum::value_of(rate_half[i]) +
+             BogackiShampine::error[2] * Continuum::value_of(rate_quarter[i]) +
+             BogackiShampine::error[3] * rate_end[i]);
+          (i < 5 ? stress_error : couple_error) += difference * difference;
+          (i < 5 ? stress_scale : couple_scale) += values[i] * values[i];
+        }
+      stress_scale =
+        std::max(stress_scale, 100. * floor_pressure * floor_pressure);
+      couple_scale = std::max(couple_scale, .01 * stress_scale);
+      error        = std::sqrt(stress_error / stress_scale);
+      if constexpr (micropolar)
+        error = std::max(error, std::sqrt(couple_error / couple_scale));
+      return true;
+    }
+  };
+
+
+
+  /**
+   * The integration of hypoplastic_rate() over a step in the rotating frame:
+   * adaptive substeps, and the floor under the pressure.
+   */
+  template <bool micropolar, typename Number>
+  class HypoplasticStep
+  {
+  public:
+    using Stress = HypoplasticStress<micropolar, Number>;
+
+    /**
+     * @param log_j ln det f of the step
+     * @param initial_volume 1 + e at the start
+     * @param final_void_ratio e at the end
+     */
+    HypoplasticStep(const HypoplasticConstants                   &constants,
+                    const HypoplasticControls                    &controls,
+                    const HypoplasticLoading<micropolar, Number> &loading,
+                    const Number                                 &log_j,
+                    const double  initial_volume,
+                    const Number &final_void_ratio)
+      : constants(constants)
+      , controls(controls)
+      , loading(loading)
+      , log_j(log_j)
+      , initial_volume(initial_volume)
+      , final_void_ratio(final_void_ratio)
+    {}
+
+    /**
+     * Takes the stresses @p y from the start to the end of the step.
+     *
+     * @param substep_strain strain that one substep resolves: read for the
+     *   first substep, and replaced by what this step has found
+     */
+    Report::Refusal
+    integrate(Stress                 &y,
+              double                 &substep_strain,
+              HypoplasticPointReport &report) const
+    {
+      using std::exp;
+      constexpr bool with_tangent = !std::is_same<Number, double>::value;
+
+      const HypoplasticLoading<micropolar, double> loading_values =
+        loading.values();
+      const double strain        = loading_values.length;
+      const double stored_strain = substep_strain;
+
+      Number     volume       = Number(initial_volume);
+      bool       on_floor     = false;
+      const auto put_on_floor = [&](const Number &void_ratio) {
+        y              = floor_stress(void_ratio);
+        on_floor       = true;
+        report.floored = true;
+      };
+
+      const double initial_void_ratio = initial_volume - 1.;
+      if (mean_pressure(y) <
+            controls.smallest_pressure(initial_void_ratio) * (1. - 1e-9) ||
+          !is_compressive(y))
+        put_on_floor(volume - 1.);
+
+      HypoplasticSubstep<micropolar, Number> substep;
+      Stress                                 rate_begin{};
+      HypoplasticFlags                       flags_begin;
+      bool                                   rate_begin_known = false;
+      bool                                   rejected         = false;
+      BinarySubsteps substeps(controls.n_smallest_substeps,
+                              strain > 0. ? stored_strain / strain : 1.);
+      while (!substeps.done())
+        {
+          const double h = substeps.length();
+          const double t = substeps.begin();
+
+          if (!rate_begin_known)
+            {
+              flags_begin      = HypoplasticFlags();
+              rate_begin       = hypoplastic_rate<micropolar, Number>(constants,
+                                                                y,
+                                                                volume - 1.,
+                                                                loading.at(t),
+                                                                loading.length,
+                                                                flags_begin);
+              rate_begin_known = true;
+            }
+
+          // A point on the floor that is being unloaded stays there. The
+          // direction of a step is constant, so that is true for all of it.
+          if (mean_pressure(rate_begin) <= 0. &&
+              is_on_floor(y, Continuum::value_of(volume) - 1.))
+            {
+              put_on_floor(final_void_ratio);
+              report.flags.merge(flags_begin);
+              ++report.substeps;
+              break;
+            }
+
+          // 1 + e at the stages, with one exponential
+          const Number growth         = exp(log_j * (.25 * h));
+          const Number growth_half    = growth * growth;
+          const Number volume_half    = volume * growth_half;
+          const Number volume_quarter = volume_half * growth;
+          const Number volume_end     = volume_half * growth_half;
+
+          const bool compressive = substep.attempt(
+            constants,
+            controls.floor_pressure,
+            {t, h},
+            y,
+            rate_begin,
+            {{volume_half - 1., volume_quarter - 1., volume_end - 1.}},
+            loading,
+            loading_values);
+          if (!compressive && !substeps.is_smallest())
+            {
+              substeps.reject();
+              rejected = true;
+              continue;
+            }
+          if (!compressive)
+            {
+              put_on_floor(volume_end - 1.);
+              rate_begin_known = false;
+              substeps.accept(h);
+            }
+          else
+            {
+              const double error = substep.error / controls.substep_tolerance;
+              if (!(error <= 1.))
+                {
+                  if (substeps.is_smallest())
+                    return std::isfinite(error) ?
+                             Report::Refusal::too_many_substeps :
+                             Report::Refusal::not_finite;
+                  substeps.reject(h * BogackiShampine::suggested_length(error));
+                  rejected = true;
+                  continue;
+                }
+
+              y        = substep.end;
+              on_floor = false;
+              report.flags.merge(flags_begin);
+              report.flags.merge(substep.flags);
+              if (mean_pressure(y) < controls.smallest_pressure(
+                                       Continuum::value_of(volume_end) - 1.))
+                put_on_floor(volume_end - 1.);
+
+              // the last stage is the first of the next substep; in tangent
+              // mode it was computed without derivatives
+              rate_begin_known = false;
+              if constexpr (!with_tangent)
+                {
+                  rate_begin       = substep.rate_end;
+                  flags_begin      = substep.flags_end;
+                  rate_begin_known = !on_floor;
+                }
+
+              double wanted = 1.;
+              if (h < 1. ||
+                  substep_strain < HypoplasticControls::largest_substep_strain)
+                {
+                  // without a rejection the step says nothing against what
+                  // earlier steps have found
+                  wanted         = h * BogackiShampine::suggested_length(error);
+                  substep_strain = rejected ?
+                                     wanted * strain :
+                                     std::max(stored_strain, wanted * strain);
+                  substep_strain =
+                    std::min(substep_strain,
+                             HypoplasticControls::largest_substep_strain);
+                }
+              substeps.accept(wanted);
+            }
+          volume = volume_end;
+          ++report.substeps;
+        }
+
+      // On the floor the stress does not feel the strain. A solver needs some
+      // stiffness there: the isotropic one of the law at this pressure.
+      if (with_tangent && on_floor)
+        add_floor_stiffness(y);
+      return Report::Refusal::none;
+    }
+
+  private:
+    /// The isotropic stress without couple stress on the floor.
+    Stress
+    floor_stress(const Number &void_ratio) const
+    {
+      Stress       y{};
+      const Number p = controls.smallest_pressure(void_ratio);
+      for (unsigned int i = 0; i < 3; ++i)
+        y[i] = -p;
+      return y;
+    }
+
+    bool
+    is_on_floor(const Stress &y, const double void_ratio) const
+    {
+      return mean_pressure(y) <=
+             controls.smallest_pressure(void_ratio) * (1. + 1e-9);
+    }
+
+    /// Adds f_s (a_1^2 d^c + I tr d^c / 9) and f_s a_1^2 k d_50 at the
+    /// pressure of @p y to its derivatives, not to its value.
+    void
+    add_floor_stiffness(Stress &y) const
+    {
+      using Continuum::only_derivatives;
+      HypoplasticFlags                 ignored;
+      const HypoplasticFactors<double> factors(constants,
+                                               -3. * mean_pressure(y),
+                                               0.,
+                                               0.,
+                                               Continuum::value_of(
+                                                 final_void_ratio),
+                                               ignored);
+      const auto                       d = loading.at(1.);
+      const double stiffness = factors.f_s * factors.a_1 * factors.a_1;
+      const Number isotropic = (factors.f_s / 9.) * (d[0] + d[1]);
+      y[0] += only_derivatives(stiffness * d[0] + isotropic);
+      y[1] += only_derivatives(stiffness * d[1] + isotropic);
+      y[2] += only_derivatives(isotropic);
+      for (unsigned int i = 2; i < d.size(); ++i)
+        y[1 + i] += only_derivatives(stiffness * d[i]);
+    }
+
+    const HypoplasticConstants                   &constants;
+    const HypoplasticControls                    &controls;
+    const HypoplasticLoading<micropolar, Number> &loading;
+    const Number                                 &log_j;
+    const double                                  initial_volume;
+    const Number                                 &final_void_ratio;
+  };
+} // namespace Riedel::Material
