@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/errors.h>
+#include <riedel/rank_meeting.h>
+#include <riedel/run.h>
 #include <riedel/scene/command_line.h>
 #include <riedel/scene/scene.h>
-#include <riedel/run.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <exception>
 #include <iostream>
+#include <string>
 
 namespace
 {
-  /// Does what needs no computing, or leaves it to the simulation.
   int
   run(const int argc, char **argv, const bool speaks)
   {
@@ -48,33 +49,33 @@ int
 main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Riedel::RankMeeting                      meeting;
   const bool                                     speaks =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  // InputError and ComputationError are thrown on all ranks together.
+  // says what went wrong: once, if all ranks know it
+  const auto end = [&](const std::string &text, const int code) {
+    const bool together = meeting.of_all_ranks();
+    if (speaks || !together)
+      std::cerr << text << std::endl;
+    if (!together)
+      MPI_Abort(MPI_COMM_WORLD, code);
+    return code;
+  };
   try
     {
       return run(argc, argv, speaks);
     }
   catch (const Riedel::InputError &error)
     {
-      if (speaks)
-        std::cerr << error.what() << std::endl;
-      return 2;
+      return end(error.what(), 2);
     }
   catch (const Riedel::ComputationError &error)
     {
-      if (speaks)
-        std::cerr << "The computation stopped.\n" << error.what() << std::endl;
-      return 1;
+      return end(std::string("The computation stopped.\n") + error.what(), 1);
     }
   catch (const std::exception &error)
     {
-      // perhaps on one rank only: the others would wait for it forever
-      std::cerr << "Riedel has a defect, please report it:\n"
-                << error.what() << std::endl;
-      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        MPI_Abort(MPI_COMM_WORLD, 1);
-      return 1;
+      return end(std::string("Riedel has a defect: ") + error.what(), 1);
     }
 }

@@ -43,7 +43,10 @@ namespace Riedel
           1 :
           2)
     , averages(scene.geometry.names(), body, space)
-    , log(folder.path("log.txt"), is_first_rank)
+    , log(folder.path("log.txt"),
+          is_first_rank,
+          // mpirun gives ranks a terminal even if its own output is a file
+          dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
     , history(folder.path("history.csv"), is_first_rank)
     , bands_table(folder.path("bands.csv"), is_first_rank)
     , fields(folder, scene.output)
@@ -84,10 +87,8 @@ namespace Riedel
   void
   Simulation<dim>::start()
   {
-    const Timer::Scope scope(timer, "set-up");
-    points.seed(supports.quadrature(scene.grid),
-                scene.initial_state,
-                body.extent());
+    auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
+    points.seed(supports.quadrature(), scene.initial_state, body.extent());
     supports.rebuild(points);
     solution = space.owned_vector();
     space.gather(solution, relevant_solution);
@@ -103,6 +104,7 @@ namespace Riedel
                                                   timer);
     scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
     increment = space.owned_vector();
+    set_up.reset();
 
     // How far the initial state is from balance under the initial loads.
     LinearAlgebra::Vector r = space.owned_vector();
@@ -150,7 +152,7 @@ namespace Riedel
           outcome.failure = balance->describe_refusal(outcome.residual);
       }
     if (has_guess)
-      outcome = scheme->solve(*balance, increment);
+      outcome = scheme->solve(*balance, increment, steps.is_last_chance());
     if (outcome.converged)
       return true;
 
@@ -178,13 +180,36 @@ namespace Riedel
 
 
   template <int dim>
+  Equilibrium::Outcome
+  Simulation<dim>::first_guess(const double step)
+  {
+    Equilibrium::Outcome guess;
+    if (extrapolation.is_possible())
+      {
+        extrapolation.predict(step, increment);
+        // a kink in what is prescribed must not end in the boundary's cells
+        if (balance->mismatch(increment) < 0.1)
+          {
+            balance->impose(increment);
+            return guess;
+          }
+      }
+    guess.residual = balance->predict_with_tangent(increment);
+    if (guess.residual.refused)
+      guess.failure = balance->describe_refusal(guess.residual);
+    scheme->distrust();
+    return guess;
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::accept_step()
   {
-    const Timer::Scope    scope(timer, "update of points and supports");
-    LinearAlgebra::Vector mean_forces = balance->external_forces();
-    mean_forces += forces_before;
-    external_work += 0.5 * (mean_forces * increment);
+    const Timer::Scope scope(timer, "update of points and supports");
+    external_work += 0.5 * ((balance->external_forces() * increment) +
+                            (forces_before * increment));
     forces_before = balance->external_forces();
     stress_work += balance->stress_work();
 
@@ -288,8 +313,9 @@ namespace Riedel
                              timer,
                              wall_seconds(),
                              communicator));
-    if (grain_size > 0.0)
-      log.line(Output::bands_line(bands, grain_size));
+    if (last_bands >= 0.0)
+      log.line("At s = " + Output::number(last_bands) + ": " +
+               Output::bands_line(bands, grain_size));
     log.line("Results are in " + folder.name() + ".");
   }
 

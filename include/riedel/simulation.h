@@ -47,6 +47,9 @@ namespace Riedel
     start();
     bool
     solve_step();
+    /// Writes the first guess of a step's increments.
+    Equilibrium::Outcome
+    first_guess(const double step);
     void
     accept_step();
     void

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace Riedel::Equilibrium
@@ -34,18 +35,74 @@ namespace Riedel::Equilibrium
 
 
 
-  double
-  AndersonAcceleration::product(const LinearAlgebra::Vector &a,
-                                const LinearAlgebra::Vector &b) const
+  namespace
   {
-    const double     *pa  = a.begin();
-    const double     *pb  = b.begin();
-    const double     *pw  = squared_weights->begin();
-    const std::size_t n   = a.end() - a.begin();
-    double            sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-      sum += pw[i] * pa[i] * pb[i];
-    return dealii::Utilities::MPI::sum(sum, a.get_mpi_communicator());
+    /// Scalar products of @p a with several vectors, in one communication.
+    std::vector<double>
+    products(const LinearAlgebra::Vector                      &a,
+             const std::vector<const LinearAlgebra::Vector *> &others)
+    {
+      const double       *values = a.begin();
+      const std::size_t   n      = a.end() - a.begin();
+      std::vector<double> here, all(others.size());
+      for (const auto *other : others)
+        {
+          const double *with = other->begin();
+          double        sum  = 0.0;
+          for (std::size_t i = 0; i < n; ++i)
+            sum += values[i] * with[i];
+          here.push_back(sum);
+        }
+      dealii::Utilities::MPI::sum(here, a.get_mpi_communicator(), all);
+      return all;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  AndersonAcceleration::minimise(const std::vector<double> &projections) const
+  {
+    // Cholesky factors of the normal equations, newest pair first. A pair of
+    // which less than this share (squared) is new is left out: the products
+    // have no more digits.
+    constexpr double                 least_new_share = 1e-10;
+    std::vector<std::vector<double>> factor;
+    std::vector<double>              solution;
+    std::vector<unsigned int>        used;
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      {
+        std::vector<double> row;
+        double              rest = pairs[k].products.front();
+        const double        all  = rest;
+        for (unsigned int j = 0; j < used.size(); ++j)
+          {
+            double entry = pairs[used[j]].products[k - used[j]];
+            for (unsigned int i = 0; i < j; ++i)
+              entry -= row[i] * factor[j][i];
+            row.push_back(entry / factor[j][j]);
+            rest -= row.back() * row.back();
+          }
+        if (!(rest > least_new_share * all))
+          continue;
+        row.push_back(std::sqrt(rest));
+        double value = projections[k];
+        for (unsigned int i = 0; i < used.size(); ++i)
+          value -= row[i] * solution[i];
+        solution.push_back(value / row.back());
+        factor.push_back(std::move(row));
+        used.push_back(k);
+      }
+
+    std::vector<double> gamma(pairs.size(), 0.0);
+    for (int j = static_cast<int>(used.size()) - 1; j >= 0; --j)
+      {
+        double value = solution[j];
+        for (unsigned int i = j + 1; i < used.size(); ++i)
+          value -= factor[i][j] * gamma[used[i]];
+        gamma[used[j]] = value / factor[j][j];
+      }
+    return gamma;
   }
 
 
@@ -62,54 +119,38 @@ namespace Riedel::Equilibrium
 
     if (has_last)
       {
-        Pair pair{x, f};
-        pair.dx -= last_x;
+        Pair pair{x, f, f, {}};
         pair.df -= last_f;
+        pair.sum -= last_x;
+        pair.sum += pair.df;
+        pair.weighted = pair.df;
+        pair.weighted.scale(*squared_weights);
         pairs.push_front(std::move(pair));
         if (pairs.size() > n_pairs)
-          pairs.pop_back();
+          {
+            pairs.pop_back();
+            for (auto newer = std::next(pairs.begin()); newer != pairs.end();
+                 ++newer)
+              newer->products.pop_back();
+          }
       }
     last_x   = x;
     last_f   = f;
     has_last = true;
 
-    // Modified Gram-Schmidt, newest pair first; a pair that depends on newer
-    // ones is left out. What remains of f is the minimised residual.
-    LinearAlgebra::Vector              rest = f;
-    std::vector<LinearAlgebra::Vector> basis;
-    std::vector<std::vector<double>>   triangle; // R, by columns
-    std::vector<double>                projection;
-    std::vector<const Pair *>          used;
+    std::vector<const LinearAlgebra::Vector *> others;
     for (const Pair &pair : pairs)
+      others.push_back(&pair.weighted);
+    if (!pairs.empty() && pairs.front().products.empty())
       {
-        LinearAlgebra::Vector column = pair.df;
-        const double          before = std::sqrt(product(column, column));
-        std::vector<double>   entries;
-        for (const auto &direction : basis)
-          {
-            entries.push_back(product(direction, column));
-            column.add(-entries.back(), direction);
-          }
-        const double norm = std::sqrt(product(column, column));
-        if (!(norm > 1e-6 * before))
-          continue;
-        column /= norm;
-        entries.push_back(norm);
-        projection.push_back(product(column, rest));
-        rest.add(-projection.back(), column);
-        basis.push_back(std::move(column));
-        triangle.push_back(std::move(entries));
-        used.push_back(&pair);
+        const auto with_older = products(pairs.front().df, others);
+        pairs.front().products.assign(with_older.begin(), with_older.end());
       }
+    const std::vector<double> gamma = minimise(products(f, others));
 
     x += f;
-    std::vector<double> gamma(projection);
-    for (int i = static_cast<int>(gamma.size()) - 1; i >= 0; --i)
-      {
-        for (unsigned int j = i + 1; j < gamma.size(); ++j)
-          gamma[i] -= triangle[j][i] * gamma[j];
-        gamma[i] /= triangle[i][i];
-        x.add(-gamma[i], used[i]->dx, -gamma[i], used[i]->df);
-      }
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      if (gamma[k] != 0.0)
+        x.add(-gamma[k], pairs[k].sum);
   }
 } // namespace Riedel::Equilibrium

@@ -4,13 +4,14 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Riedel::Equilibrium
 {
   namespace
   {
-    /// A surface as plain numbers, to be summed over the ranks.
+    /// Surfaces of all ranks: their plain numbers are added up.
     template <int dim>
     std::vector<typename Loads<dim>::Surface>
     sum_over_ranks(const std::vector<typename Loads<dim>::Surface> &surfaces,
@@ -18,22 +19,29 @@ namespace Riedel::Equilibrium
     {
       std::vector<double> numbers;
       for (const auto &surface : surfaces)
-        for (unsigned int d = 0; d < dim; ++d)
+        {
           for (const auto *vector : {&surface.force,
                                      &surface.normal_area,
                                      &surface.initial_normal_area})
-            numbers.push_back((*vector)[d]);
+            numbers.insert(numbers.end(),
+                           vector->begin_raw(),
+                           vector->end_raw());
+          numbers.push_back(surface.moment);
+        }
       std::vector<double> sums(numbers.size());
       dealii::Utilities::MPI::sum(numbers, communicator, sums);
 
       auto result = surfaces;
       auto number = sums.begin();
       for (auto &surface : result)
-        for (unsigned int d = 0; d < dim; ++d)
+        {
           for (auto *vector : {&surface.force,
                                &surface.normal_area,
                                &surface.initial_normal_area})
-            (*vector)[d] = *number++;
+            for (unsigned int d = 0; d < dim; ++d)
+              (*vector)[d] = *number++;
+          surface.moment = *number++;
+        }
       return result;
     }
   } // namespace
@@ -94,8 +102,7 @@ namespace Riedel::Equilibrium
     is_rotation.assign(space.owned().n_elements(), false);
     for (const auto &dof : conditions.prescribed())
       if (dof.owned)
-        is_prescribed[space.owned().index_within_set(
-          space.relevant().nth_index_in_set(dof.dof))] = true;
+        is_prescribed[space.owned_place(dof.dof)] = true;
     for (unsigned int i = 0; i < is_rotation.size(); ++i)
       {
         const unsigned int local =
@@ -113,15 +120,6 @@ namespace Riedel::Equilibrium
   {
     start = u;
     assembly.begin_step();
-    set_load(s);
-  }
-
-
-
-  template <int dim>
-  void
-  Balance<dim>::set_load(const double s)
-  {
     load = s;
     prescribed.assign(start.size(), 0.0);
     for (const auto &dof : conditions.prescribed())
@@ -139,9 +137,33 @@ namespace Riedel::Equilibrium
     double *values = du.begin();
     for (const auto &dof : conditions.prescribed())
       if (dof.owned)
-        values[space->owned().index_within_set(
-          space->relevant().nth_index_in_set(dof.dof))] = prescribed[dof.dof];
+        values[space->owned_place(dof.dof)] = prescribed[dof.dof];
     space->hanging_nodes().distribute(du);
+  }
+
+
+
+  template <int dim>
+  double
+  Balance<dim>::mismatch(const LinearAlgebra::Vector &du) const
+  {
+    double        difference = 0.0, largest = 0.0;
+    const double *values = du.begin();
+    for (const auto &dof : conditions.prescribed())
+      if (dof.owned)
+        {
+          const double scale = dof.component < dim ? 1.0 : length;
+          const double here  = prescribed[dof.dof];
+          difference =
+            std::max(difference,
+                     scale *
+                       std::abs(here - values[space->owned_place(dof.dof)]));
+          largest = std::max(largest, scale * std::abs(here));
+        }
+    difference = dealii::Utilities::MPI::max(difference, space->communicator());
+    largest    = dealii::Utilities::MPI::max(largest, space->communicator());
+    return largest > 0.0 ? difference / largest :
+                           (difference > 0.0 ? 1.0 : 0.0);
   }
 
 
@@ -163,16 +185,40 @@ namespace Riedel::Equilibrium
   Balance<dim>::linearise(const LinearAlgebra::Vector &du,
                           LinearAlgebra::Vector       &r)
   {
+    LinearAlgebra::Vector unused = space->owned_vector();
+    return factorise_at(du, conditions.homogeneous(), r, unused);
+  }
+
+
+
+  template <int dim>
+  Residual
+  Balance<dim>::factorise_at(
+    const LinearAlgebra::Vector             &du,
+    const dealii::AffineConstraints<double> &constraints,
+    LinearAlgebra::Vector                   &r,
+    LinearAlgebra::Vector                   &right_hand_side)
+  {
     Residual result;
     {
-      const Timer::Scope    scope(*timer, "assembly of the stiffness");
-      LinearAlgebra::Vector unused = space->owned_vector();
-      matrix                       = 0.0;
-      result = evaluate(du, r, &conditions.homogeneous(), &unused);
+      const Timer::Scope scope(*timer, "assembly of the stiffness");
+      matrix          = 0.0;
+      right_hand_side = 0.0;
+      result          = evaluate(du, r, &constraints, &right_hand_side);
       matrix.compress(dealii::VectorOperation::add);
+      right_hand_side.compress(dealii::VectorOperation::add);
     }
     if (!result.refused)
       {
+        double sum = 0.0;
+        for (unsigned int i = 0; i < is_rotation.size(); ++i)
+          if (!is_rotation[i] && !is_prescribed[i])
+            sum +=
+              std::pow(matrix.diag_element(space->owned().nth_index_in_set(i)),
+                       2);
+        stiffness_norm =
+          std::sqrt(dealii::Utilities::MPI::sum(sum, space->communicator()));
+
         const Timer::Scope scope(*timer, "factorisation");
         solver->factorise();
         ++n_factorisations;
@@ -200,26 +246,13 @@ namespace Riedel::Equilibrium
   Residual
   Balance<dim>::predict_with_tangent(LinearAlgebra::Vector &du)
   {
-    LinearAlgebra::Vector r           = space->owned_vector();
-    LinearAlgebra::Vector right_side  = space->owned_vector();
-    const auto            constraints = conditions.with_increments(prescribed);
-    Residual              result;
-    du = 0.0;
-    {
-      const Timer::Scope scope(*timer, "assembly of the stiffness");
-      matrix = 0.0;
-      result = evaluate(du, r, &constraints, &right_side);
-      matrix.compress(dealii::VectorOperation::add);
-      right_side.compress(dealii::VectorOperation::add);
-    }
+    LinearAlgebra::Vector r          = space->owned_vector();
+    LinearAlgebra::Vector right_side = space->owned_vector();
+    du                               = 0.0;
+    const Residual result =
+      factorise_at(du, conditions.with_increments(prescribed), r, right_side);
     if (result.refused)
       return result;
-    {
-      const Timer::Scope scope(*timer, "factorisation");
-      solver->factorise();
-      ++n_factorisations;
-      factorised = true;
-    }
     // r is zero at prescribed dofs, where the right side has their value
     right_side -= r;
     const Timer::Scope scope(*timer, "solution with factors");
@@ -255,7 +288,7 @@ namespace Riedel::Equilibrium
         constraints->distribute_local_to_global(
           local_matrix, zero, dofs, matrix, *right_hand_side, true);
       };
-    std::vector<double> present = start;
+    present = start;
     for (unsigned int i = 0; i < present.size(); ++i)
       present[i] += increment[i];
     loads.add_surface_loads(present, load, applied, add_matrix);
@@ -340,9 +373,16 @@ namespace Riedel::Equilibrium
     result.sweep.total.clamped       = static_cast<unsigned int>(all[6]);
     result.sweep.total.null_deviator = static_cast<unsigned int>(all[7]);
     result.sweep.total.substeps      = static_cast<unsigned long long>(all[8]);
-    // a body without any force is in balance
-    if (result.reference == 0.0)
-      result.reference = std::numeric_limits<double>::min();
+    // A body without stress has no forces to compare with but rounding errors,
+    // which grow with stiffness and displacement.
+    double largest = std::numeric_limits<double>::min();
+    for (const double value : present)
+      largest = std::max(largest, std::abs(value));
+    const double rounding = 1e-14 * stiffness_norm *
+                            dealii::Utilities::MPI::max(largest, communicator);
+    result.reference = std::max({result.reference,
+                                 rounding / parameters->residual,
+                                 std::numeric_limits<double>::min()});
     return result;
   }
 
@@ -357,21 +397,19 @@ namespace Riedel::Equilibrium
     for (const auto &dof : conditions.prescribed())
       if (dof.owned)
         {
-          const unsigned int place = space->owned().index_within_set(
-            space->relevant().nth_index_in_set(dof.dof));
-          const double              force = reaction.begin()[place];
-          double                   *here  = &numbers[dof.boundary * (dim + 1)];
-          const dealii::Point<dim> &X     = space->nodes()[dof.dof];
+          const double force = reaction.begin()[space->owned_place(dof.dof)];
+          double      *here  = &numbers[dof.boundary * (dim + 1)];
           if (dof.component < dim)
             here[dof.component] += force;
+          // lever arms end at the present place of the node
           if constexpr (dim == 2)
             {
-              if (dof.component == 0)
-                here[dim] -= X[1] * force;
-              else if (dof.component == 1)
-                here[dim] += X[0] * force;
-              else
+              if (dof.component == dim)
                 here[dim] += force;
+              else if (dof.component == 0)
+                here[dim] -= force * space->deformed_node(dof.dof, present)[1];
+              else
+                here[dim] += force * space->deformed_node(dof.dof, present)[0];
             }
         }
     std::vector<double> sums(numbers.size());
@@ -382,7 +420,7 @@ namespace Riedel::Equilibrium
       {
         for (unsigned int d = 0; d < dim; ++d)
           result[b].force[d] = sums[b * (dim + 1) + d] + surfaces[b].force[d];
-        result[b].moment = sums[b * (dim + 1) + dim];
+        result[b].moment = sums[b * (dim + 1) + dim] + surfaces[b].moment;
       }
     return result;
   }

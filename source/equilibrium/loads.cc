@@ -44,13 +44,7 @@ namespace Riedel::Equilibrium
     , space(&space)
     , surface(boundaries.boundaries.size())
   {
-    const auto &fe = space.element();
-    for (unsigned int c = 0; c < space.n_components(); ++c)
-      for (unsigned int a = 0;
-           a < fe.base_element(c < dim ? 0 : 1).n_dofs_per_cell();
-           ++a)
-        dof_order.push_back(fe.component_to_system_index(c, a));
-
+    const auto                                  &fe = space.element();
     const dealii::FE_Q<dim>                      geometry(1);
     const dealii::QGauss<1>                      rule(fe.degree + 1);
     std::vector<dealii::types::global_dof_index> cell_dofs(
@@ -76,7 +70,7 @@ namespace Riedel::Equilibrium
                 {
                   const std::size_t first_dof = dofs.size();
                   cell->get_dof_indices(cell_dofs);
-                  for (const unsigned int i : dof_order)
+                  for (const unsigned int i : space.order_by_component())
                     dofs.push_back(space.local(cell_dofs[i]));
 
                   const auto direction = face_direction<dim>(f);
@@ -195,22 +189,26 @@ namespace Riedel::Equilibrium
           return result;
         };
         dealii::Tensor<1, dim> present = point.tangent;
+        dealii::Point<dim>     place   = point.position;
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int a = 0; a < n; ++a)
-            present[d] += u[dof[d * n + a]] * point.slope[a];
-        auto &sum = surface[point.boundary];
-        sum.normal_area += point.weight * normal(present);
-        sum.initial_normal_area += point.weight * normal(point.tangent);
+            {
+              present[d] += u[dof[d * n + a]] * point.slope[a];
+              place[d] += u[dof[d * n + a]] * point.shape[a];
+            }
         const dealii::Tensor<1, dim> tangent =
           (follows ? present : point.tangent);
+        const double length = tangent.norm();
 
-        // Force per d(xi), and its derivative with respect to the tangent.
-        dealii::Tensor<1, dim> force;
+        // Force and couple per d(xi), and their derivatives with respect to the
+        // tangent; of a virtual stress only the force counts here.
+        dealii::Tensor<1, dim> force, total, couple_derivative;
         dealii::Tensor<2, dim> derivative;
+        double                 couple = 0.0;
         if (boundary.pressure.given())
           {
             const double p = boundary.pressure(point.position, s);
-            sum.force -= point.weight * p * normal(tangent);
+            total -= p * normal(tangent);
             if (boundary.form == LoadForm::surface_integral)
               {
                 force -= p * normal(tangent);
@@ -218,42 +216,55 @@ namespace Riedel::Equilibrium
                 derivative[1][0] += p;
               }
           }
-        const double length = tangent.norm();
         for (unsigned int d = 0; d < dim; ++d)
           if (boundary.traction[d].given())
             {
               const double t = boundary.traction[d](point.position, s);
               force[d] += t * length;
-              sum.force[d] += point.weight * t * length;
-              for (unsigned int e = 0; e < dim; ++e)
-                derivative[d][e] += t * tangent[e] / length;
+              total[d] += t * length;
+              derivative[d] += t / length * tangent;
             }
+        if (boundary.couple_traction[0].given() && nw > 0)
+          {
+            const double m    = boundary.couple_traction[0](point.position, s);
+            couple            = m * length;
+            couple_derivative = m / length * tangent;
+          }
+
+        auto &sum = surface[point.boundary];
+        sum.normal_area += point.weight * normal(present);
+        sum.initial_normal_area += point.weight * normal(point.tangent);
+        sum.force += point.weight * total;
+        sum.moment +=
+          point.weight * (place[0] * total[1] - place[1] * total[0] + couple);
+
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int a = 0; a < n; ++a)
             forces[dof[d * n + a]] += point.weight * force[d] * point.shape[a];
-
-        if (boundary.couple_traction[0].given() && nw > 0)
-          {
-            const double couple =
-              boundary.couple_traction[0](point.position, s) * length;
-            for (unsigned int a = 0; a < nw; ++a)
-              forces[dof[dim * n + a]] +=
-                point.weight * couple * point.rotation_shape[a];
-          }
+        for (unsigned int a = 0; a < nw; ++a)
+          forces[dof[dim * n + a]] +=
+            point.weight * couple * point.rotation_shape[a];
 
         if (add_matrix && follows)
           {
-            global.resize(dim * n);
-            matrix.assign(dim * n * dim * n, 0.0);
-            for (unsigned int i = 0; i < dim * n; ++i)
+            const unsigned int n_dofs = dim * n + nw;
+            global.resize(n_dofs);
+            matrix.assign(n_dofs * n_dofs, 0.0);
+            for (unsigned int i = 0; i < n_dofs; ++i)
               global[i] = space->relevant().nth_index_in_set(dof[i]);
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int a = 0; a < n; ++a)
-                for (unsigned int e = 0; e < dim; ++e)
-                  for (unsigned int b = 0; b < n; ++b)
-                    matrix[(d * n + a) * dim * n + e * n + b] -=
-                      point.weight * point.shape[a] * derivative[d][e] *
-                      point.slope[b];
+            for (unsigned int e = 0; e < dim; ++e)
+              for (unsigned int b = 0; b < n; ++b)
+                {
+                  const double       slope  = point.weight * point.slope[b];
+                  const unsigned int column = e * n + b;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    for (unsigned int a = 0; a < n; ++a)
+                      matrix[(d * n + a) * n_dofs + column] -=
+                        slope * point.shape[a] * derivative[d][e];
+                  for (unsigned int a = 0; a < nw; ++a)
+                    matrix[(dim * n + a) * n_dofs + column] -=
+                      slope * point.rotation_shape[a] * couple_derivative[e];
+                }
             add_matrix(global, matrix);
           }
       }

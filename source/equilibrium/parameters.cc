@@ -259,7 +259,8 @@ namespace Riedel::Equilibrium
     prm.declare_entry("Fixed steps",
                       "false",
                       Patterns::Bool(),
-                      "Every step is the first one: no growth, no cut.");
+                      "Every step is the first one: no growth, no cut. Only "
+                      "marks (Output/Fields every, Stop) shorten a step.");
     for (unsigned int d = 0; d < dim; ++d)
       declare_formula<dim>(
         prm,
@@ -368,7 +369,7 @@ namespace Riedel::Equilibrium
                       Patterns::Integer(1),
                       "A step that needs more iterations is cut.");
     prm.declare_entry("Target iterations",
-                      "4",
+                      "5",
                       Patterns::Integer(1),
                       "The step size is adapted to this number of iterations.");
     prm.declare_entry("Refactor after",

@@ -18,8 +18,8 @@ namespace Riedel::Equilibrium
       text.precision(3);
       text << "no balance after " << iterations << " iterations: forces "
            << residual.force / residual.reference << ", moments "
-           << residual.moment / residual.reference << " of the reactions, "
-           << allowed << " allowed";
+           << residual.moment / residual.reference
+           << " of the reactions and loads, " << allowed << " allowed";
       if (!where.empty())
         text << "; " << where;
       return text.str();
@@ -38,7 +38,9 @@ namespace Riedel::Equilibrium
       {}
 
       Outcome
-      solve(Balance<dim> &balance, LinearAlgebra::Vector &du) override
+      solve(Balance<dim>          &balance,
+            LinearAlgebra::Vector &du,
+            const bool /*last_chance*/) override
       {
         LinearAlgebra::Vector r     = balance.vector();
         LinearAlgebra::Vector delta = balance.vector();
@@ -66,7 +68,9 @@ namespace Riedel::Equilibrium
                 return outcome;
               }
 
-            balance.linearise(du, r);
+            outcome.residual = balance.linearise(du, r);
+            if (outcome.residual.refused)
+              continue;
             balance.correction(r, delta);
             outcome.residual =
               search_along(balance, outcome.residual, delta, du, r);
@@ -105,8 +109,8 @@ namespace Riedel::Equilibrium
 
 
     /// An old factor as preconditioner and Anderson acceleration; a new factor
-    /// only when it becomes slow. A step that cannot be solved so is tried again
-    /// by Newton's method before it is given up.
+    /// only when it becomes slow. A step that cannot be solved so is tried
+    /// again by Newton's method before it is given up.
     template <int dim>
     class Accelerated : public Scheme<dim>
     {
@@ -125,16 +129,18 @@ namespace Riedel::Equilibrium
       }
 
       Outcome
-      solve(Balance<dim> &balance, LinearAlgebra::Vector &du) override
+      solve(Balance<dim>          &balance,
+            LinearAlgebra::Vector &du,
+            const bool             last_chance) override
       {
         const LinearAlgebra::Vector guess   = du;
         Outcome                     outcome = iterate(balance, du);
-        if (!outcome.converged)
+        if (!outcome.converged && last_chance)
           {
             const unsigned int in_vain = outcome.iterations;
 
             du      = guess;
-            outcome = newton.solve(balance, du);
+            outcome = newton.solve(balance, du, last_chance);
             outcome.iterations += in_vain;
             // Newton's factors are not those of the secant pairs
             acceleration.clear();
@@ -181,11 +187,13 @@ namespace Riedel::Equilibrium
               }
 
             const bool slow = with_this_factor >= parameters.refactor_after ||
-                              (with_this_factor >= 3 &&
+                              (with_this_factor >= 2 &&
                                now > parameters.slow_contraction * before);
             if (factor_is_stale || slow || !balance.has_factors())
               {
-                balance.linearise(du, r);
+                outcome.residual = balance.linearise(du, r);
+                if (outcome.residual.refused)
+                  continue;
                 acceleration.clear();
                 factor_is_stale  = false;
                 with_this_factor = 0;

@@ -25,6 +25,7 @@ namespace Riedel::Equilibrium
   void
   StepControl::succeeded(const unsigned int iterations)
   {
+    failures_in_a_row = 0;
     if (fixed)
       return;
     const double factor = std::sqrt(static_cast<double>(target_iterations) /
@@ -41,6 +42,7 @@ namespace Riedel::Equilibrium
   StepControl::failed()
   {
     ++cuts;
+    ++failures_in_a_row;
     size = 0.5 * last;
     return !fixed && size >= smallest;
   }

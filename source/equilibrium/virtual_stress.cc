@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/virtual_stress.h>
+#include <riedel/errors.h>
+
+#include <cmath>
 
 namespace Riedel::Equilibrium
 {
@@ -34,6 +37,16 @@ namespace Riedel::Equilibrium
                          initial / (surface.normal_area * field.normal) :
                          1.0);
       }
+    for (const Field &field : fields)
+      for (const Field &other : fields)
+        if (&field != &other && std::abs(field.normal * other.normal) > 0.5)
+          throw InputError(
+            "Boundary conditions/" +
+            parameters->boundaries[field.boundary].name + " and " +
+            parameters->boundaries[other.boundary].name +
+            ": a virtual stress loads both sides of the body, so that two of "
+            "the same direction would add up. Give one of the two \"Load form "
+            "= surface integral\".");
   }
 
 

@@ -35,6 +35,11 @@ namespace Riedel::Grid
     , fe(make_element<dim>(parameters, micropolar))
     , dofs(triangulation)
   {
+    for (unsigned int c = 0; c < fe.n_components(); ++c)
+      for (unsigned int a = 0;
+           a < fe.base_element(c < dim ? 0 : 1).n_dofs_per_cell();
+           ++a)
+        cell_order.push_back(fe.component_to_system_index(c, a));
     distribute();
   }
 
@@ -54,6 +59,7 @@ namespace Riedel::Grid
 
     const unsigned int n_relevant = relevant_dofs.n_elements();
     component_of_dof.assign(n_relevant, 0);
+    node_dofs.assign(n_relevant, {});
     std::vector<dealii::types::global_dof_index> cell_dofs(
       fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
@@ -62,8 +68,14 @@ namespace Riedel::Grid
           cell->get_dof_indices(cell_dofs);
           for (unsigned int i = 0; i < cell_dofs.size(); ++i)
             if (relevant_dofs.is_element(cell_dofs[i]))
-              component_of_dof[local(cell_dofs[i])] =
-                fe.system_to_component_index(i).first;
+              {
+                const auto [component, node] = fe.system_to_component_index(i);
+                component_of_dof[local(cell_dofs[i])] = component;
+                if (component < dim)
+                  for (unsigned int d = 0; d < dim; ++d)
+                    node_dofs[local(cell_dofs[i])][d] =
+                      local(cell_dofs[fe.component_to_system_index(d, node)]);
+              }
         }
 
     node_positions.assign(n_relevant, dealii::Point<dim>());
@@ -137,8 +149,9 @@ namespace Riedel::Grid
   Space<dim>::gather(const LinearAlgebra::Vector &owned,
                      std::vector<double>         &relevant) const
   {
-    if (ghost_local.empty())
+    if (owned.size() == owned_dofs.n_elements())
       {
+        // one rank has it all
         relevant.assign(owned.begin(), owned.end());
         return;
       }

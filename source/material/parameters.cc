@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/box.h>
 #include <riedel/material/parameters.h>
+#include <riedel/pattern.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <string>
@@ -29,31 +30,6 @@ namespace Riedel::Material
         list += (list.empty() ? "" : separator) + law;
       return list;
     }
-
-
-
-    /// "x0, y0 : x1, y1"; throws std::exception if it is something else.
-    template <int dim>
-    std::pair<dealii::Point<dim>, dealii::Point<dim>>
-    parse_box(const std::string &text)
-    {
-      namespace Utilities = dealii::Utilities;
-      const std::vector<std::string> corners =
-        Utilities::split_string_list(text, ':');
-      std::pair<dealii::Point<dim>, dealii::Point<dim>> box;
-      if (corners.size() != 2)
-        throw std::invalid_argument("a box has two corners");
-      for (unsigned int c = 0; c < 2; ++c)
-        {
-          const std::vector<double> coordinates = Utilities::string_to_double(
-            Utilities::split_string_list(corners[c], ','));
-          if (coordinates.size() != dim)
-            throw std::invalid_argument("a corner has dim coordinates");
-          for (unsigned int d = 0; d < dim; ++d)
-            (c == 0 ? box.first : box.second)[d] = coordinates[d];
-        }
-      return box;
-    }
   } // namespace
 
 
@@ -76,12 +52,11 @@ namespace Riedel::Material
                           true);
         prm.declare_entry("Box",
                           "",
-                          dealii::Patterns::Anything(),
-                          "The part of the body that is of this material: two "
-                          "opposite corners `x0, y0 : x1, y1', the lower left "
-                          "one first. Empty: the whole body. Where several "
-                          "materials claim a point, the one named last gets "
-                          "it. m.");
+                          FormPattern(box_form<dim>() + ", or nothing"),
+                          "The part of the body that is of this material: its "
+                          "lower left and upper right corner [m]. Empty: the "
+                          "whole body. Where several materials claim a point, "
+                          "the one named last gets it.");
         if (is_known(law))
           create_law<dim>(law)->declare(prm);
         prm.leave_subsection();
@@ -102,9 +77,9 @@ namespace Riedel::Material
     for (const auto &[name, law] : names)
       {
         if (!is_known(law))
-          throw InputError("Materials/" + name + "/Law is `" + law +
-                           "', but it must be one of `" + list_of_laws("', `") +
-                           "'.");
+          throw ParameterError("Materials/" + name + "/Law",
+                               "There is no law \"" + law +
+                                 "\". Known laws: " + list_of_laws(", ") + ".");
         prm.enter_subsection(name);
         Entry entry;
         entry.name = name;
@@ -114,18 +89,7 @@ namespace Riedel::Material
         const std::string box = prm.get("Box");
         entry.everywhere      = box.empty();
         if (!entry.everywhere)
-          try
-            {
-              // not by the constructor, which asserts what check() reports
-              entry.box.get_boundary_points() = parse_box<dim>(box);
-            }
-          catch (const std::exception &)
-            {
-              throw InputError("Materials/" + name + "/Box is `" + box +
-                               "', but it must be two corners in m, for "
-                               "instance `0, 0 : 0.1, 0.05', or empty for the "
-                               "whole body.");
-            }
+          entry.box = read_box<dim>(box, "Materials/" + name + "/Box");
         prm.leave_subsection();
         materials.push_back(entry);
       }
@@ -142,7 +106,7 @@ namespace Riedel::Material
       {
         problems.error("Materials",
                        "No material is given. Add a subsection with a name of "
-                       "your own and its `Law'.");
+                       "your own and its \"Law\".");
         return;
       }
 
@@ -151,28 +115,11 @@ namespace Riedel::Material
         const std::string path = "Materials/" + entry.name;
         entry.law->check(path, problems);
 
-        if (!entry.everywhere)
-          {
-            const auto &corners = entry.box.get_boundary_points();
-            for (unsigned int d = 0; d < dim; ++d)
-              if (!(corners.first[d] < corners.second[d]))
-                {
-                  problems.error(path + "/Box",
-                                 "The first corner of the box must lie below "
-                                 "the second one in every coordinate, but "
-                                 "coordinate " +
-                                   std::to_string(d + 1) + " is " +
-                                   std::to_string(corners.first[d]) + " and " +
-                                   std::to_string(corners.second[d]) + " m.");
-                  break;
-                }
-          }
-
         const Entry &first = materials.front();
         if (entry.law->is_micropolar() != first.law->is_micropolar())
           {
             const auto describe_law = [](const Entry &e) {
-              return "`" + e.name + "' (" + e.law->name() + ") is " +
+              return "\"" + e.name + "\" (" + e.law->name() + ") is " +
                      (e.law->is_micropolar() ? "micropolar" : "classical");
             };
             problems.error(path + "/Law",
@@ -181,6 +128,13 @@ namespace Riedel::Material
                              describe_law(first) + " and " +
                              describe_law(entry) + ".");
           }
+        if (entry.law->is_geometrically_linear() !=
+            first.law->is_geometrically_linear())
+          problems.error(path,
+                         "The laws of a scene must be all of small strain or "
+                         "all of finite strain, but those of \"" +
+                           first.name + "\" and \"" + entry.name +
+                           "\" differ.");
       }
   }
 

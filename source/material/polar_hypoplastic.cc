@@ -339,21 +339,24 @@ namespace Riedel::Material
                       Double(),
                       "Exponent n of the compression law. Dimensionless.",
                       true);
-    if (micropolar)
-      {
-        prm.declare_entry("Mean grain diameter",
-                          "0",
-                          Double(),
-                          "Length d_50 that sets the width of shear bands. m.",
-                          true);
-        prm.declare_entry("Polar constant",
-                          "1/a1",
-                          Anything(),
-                          "Micropolar constant a_c: `1/a1' (the published "
-                          "choice), `a1 + 1/a1' (a band then ends at the "
-                          "critical void ratio exactly) or a number. "
-                          "Dimensionless.");
-      }
+    // The classical law knows the polar constants too, and ignores them: to
+    // compare, one changes only the law.
+    const std::string ignored =
+      micropolar ? "" : " The classical law ignores it.";
+    prm.declare_entry("Mean grain diameter",
+                      "0",
+                      Double(),
+                      "Length d_50 that sets the width of shear bands [m]." +
+                        ignored,
+                      micropolar);
+    prm.declare_entry("Polar constant",
+                      "1/a1",
+                      Anything(),
+                      "Micropolar constant a_c: \"1/a1\" (the published "
+                      "choice), \"a1 + 1/a1\" (a band then ends at the "
+                      "critical void ratio exactly) or a number. "
+                      "Dimensionless." +
+                        ignored);
     prm.declare_entry("Floor pressure",
                       "100",
                       Double(),
@@ -498,9 +501,9 @@ namespace Riedel::Material
                 "it must be a positive length in m");
         if (!polar_constant_ok)
           problems.error(path + "/Polar constant",
-                         "Polar constant is `" + polar_constant +
-                           "', but it must be `1/a1', `a1 + 1/a1' or a "
-                           "number.");
+                         "Polar constant is \"" + polar_constant +
+                           "\", but it must be \"1/a1\", \"a1 + 1/a1\" or "
+                           "a number.");
         else if (constants.polar_inverse == 0. && constants.polar_number < 2.)
           problems.warning(path + "/Polar constant",
                            "Polar constant is " +

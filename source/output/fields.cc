@@ -19,6 +19,9 @@ namespace Riedel::Output
     using Interpretation =
       dealii::DataComponentInterpretation::DataComponentInterpretation;
 
+    /// Files some per cent larger, written several times faster.
+    constexpr auto compression = dealii::DataOutBase::VtkFlags::best_speed;
+
 
 
     /// Points as patches of no dimension, so that deal.II can write them.
@@ -223,6 +226,7 @@ namespace Riedel::Output
 
     dealii::DataOutBase::VtkFlags flags;
     flags.write_higher_order_cells = false;
+    flags.compression_level        = compression;
     out.set_flags(flags);
     out.build_patches(mapping,
                       space.element().degree,
@@ -239,9 +243,12 @@ namespace Riedel::Output
                             const MPI_Comm                     communicator,
                             const Points::MaterialPoints<dim> &points) const
   {
-    const PointFields fields(points.layout());
-    PointPatches<dim>(points, fields)
-      .write_vtu_in_parallel(name + ".vtu", communicator);
+    const PointFields             fields(points.layout());
+    PointPatches<dim>             patches(points, fields);
+    dealii::DataOutBase::VtkFlags flags;
+    flags.compression_level = compression;
+    patches.set_flags(flags);
+    patches.write_vtu_in_parallel(name + ".vtu", communicator);
 
     // Rows of this rank in the file.
     const hsize_t n_here = points.n_points();

@@ -10,9 +10,9 @@
 
 namespace Riedel::Output
 {
-  Log::Log(const std::string &path, const bool speaks)
+  Log::Log(const std::string &path, const bool speaks, const bool may_draw)
     : speaks(speaks)
-    , interactive(speaks && isatty(STDOUT_FILENO) == 1)
+    , interactive(speaks && may_draw && isatty(STDOUT_FILENO) == 1)
   {
     if (speaks)
       file.open(path);

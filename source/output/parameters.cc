@@ -27,7 +27,7 @@ namespace Riedel::Output
                       "Fields at the material points for ParaView (.vtu, "
                       ".pvd) and for Python (.h5).");
     prm.declare_entry("Bands every",
-                      "0.02",
+                      "0.05",
                       Patterns::Double(0),
                       "Load parameter s between two measurements of the shear "
                       "bands; 0: never.");

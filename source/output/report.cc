@@ -141,10 +141,7 @@ namespace Riedel::Output
                    "the energy balance.\n",
                    static_cast<unsigned long long>(record.sweeps),
                    static_cast<unsigned long long>(record.factorisations),
-                   record.external_work == 0.0 ?
-                     0.0 :
-                     100.0 * (record.external_work - record.stress_work) /
-                       record.external_work);
+                   100.0 * energy_error(record));
     text += "Laws: value " + law_speed(value_points, value_seconds) +
             ", with tangent " + law_speed(tangent_points, tangent_seconds) +
             ". Peak memory " + format("%.0f MB.\n\n", memory / 1e6);
@@ -180,7 +177,7 @@ namespace Riedel::Output
   bands_line(const Analysis::ShearBands &bands, const double grain_size)
   {
     if (bands.bands.empty())
-      return "No shear bands.";
+      return "no shear bands.";
     return format(
       "%zu shear bands: thickness %.2f d50 at 50 %% and %.2f d50 at "
       "10 %% of the rotation, inclination %.1f deg, void ratio "

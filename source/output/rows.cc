@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Riedel::Output
@@ -14,9 +15,13 @@ namespace Riedel::Output
                 const MPI_Comm                     communicator,
                 StepRecord<dim>                   &record)
   {
-    std::vector<double> here(3, 0.0), all(3);
+    const unsigned int  e = points.layout().find("void_ratio");
+    std::vector<double> here(4, 0.0), all(4);
     for (unsigned int p = 0; p < points.n_points(); ++p)
       {
+        if (e != Material::StateLayout::absent)
+          here[3] +=
+            points.row(p)[points.place.volume] / (1.0 + points.row(p)[e]);
         here[0] += points.row(p)[points.place.volume];
         here[1] += points.row(p)[points.place.mass];
       }
@@ -24,7 +29,21 @@ namespace Riedel::Output
     dealii::Utilities::MPI::sum(here, communicator, all);
     record.volume   = all[0];
     record.mass     = all[1];
+    record.solids   = all[3];
     record.n_points = static_cast<std::uint64_t>(all[2]);
+  }
+
+
+
+  template <int dim>
+  double
+  energy_error(const StepRecord<dim> &record)
+  {
+    const double largest =
+      std::max(std::abs(record.external_work), std::abs(record.stress_work));
+    return largest == 0.0 ?
+             0.0 :
+             (record.external_work - record.stress_work) / largest;
   }
 
 
@@ -67,31 +86,28 @@ namespace Riedel::Output
                          reaction.moment);
       }
 
-    const auto  &residual = record.outcome.residual;
-    const auto  &report   = residual.sweep.total;
-    const double largest =
-      std::max(std::abs(record.external_work), std::abs(record.stress_work));
-    const Row rest = {
-      {"external work [J" + per_metre + "]", record.external_work},
-      {"stress work [J" + per_metre + "]", record.stress_work},
-      {"energy error [1]",
-       largest > 0.0 ? (record.external_work - record.stress_work) / largest :
-                       0.0},
-      {dim == 2 ? "volume [m2]" : "volume [m3]", record.volume},
-      {"mass [kg" + per_metre + "]", record.mass},
-      {"points [1]", static_cast<double>(record.n_points)},
-      {"iterations [1]", record.outcome.iterations},
-      {"force residual [1]", residual.force / residual.reference},
-      {"moment residual [1]", residual.moment / residual.reference},
-      {"sweeps [1]", static_cast<double>(record.sweeps)},
-      {"factorisations [1]", static_cast<double>(record.factorisations)},
-      {"cuts [1]", record.cuts},
-      {"floored points [1]", report.floored},
-      {"clamped points [1]", report.clamped},
-      {"null deviators [1]", report.null_deviator},
-      {"substeps [1]", static_cast<double>(report.substeps)},
-      {"bands [1]", static_cast<double>(record.n_bands)},
-      {"cpu time [s]", record.cpu_seconds}};
+    const auto &residual = record.outcome.residual;
+    const auto &report   = residual.sweep.total;
+    const Row   rest     = {
+            {"external work [J" + per_metre + "]", record.external_work},
+            {"stress work [J" + per_metre + "]", record.stress_work},
+            {"energy error [1]", energy_error(record)},
+            {dim == 2 ? "volume [m2]" : "volume [m3]", record.volume},
+            {dim == 2 ? "solid volume [m2]" : "solid volume [m3]", record.solids},
+            {"mass [kg" + per_metre + "]", record.mass},
+            {"points [1]", static_cast<double>(record.n_points)},
+            {"iterations [1]", record.outcome.iterations},
+            {"force residual [1]", residual.force / residual.reference},
+            {"moment residual [1]", residual.moment / residual.reference},
+            {"sweeps [1]", static_cast<double>(record.sweeps)},
+            {"factorisations [1]", static_cast<double>(record.factorisations)},
+            {"cuts [1]", record.cuts},
+            {"floored points [1]", report.floored},
+            {"clamped points [1]", report.clamped},
+            {"null deviators [1]", report.null_deviator},
+            {"substeps [1]", static_cast<double>(report.substeps)},
+            {"bands [1]", static_cast<double>(record.n_bands)},
+            {"cpu time [s]", record.cpu_seconds}};
     row.insert(row.end(), rest.begin(), rest.end());
     return row;
   }
@@ -126,6 +142,8 @@ namespace Riedel::Output
   sum_up_points(const Points::MaterialPoints<2> &,
                 const MPI_Comm,
                 StepRecord<2> &);
+  template double
+  energy_error(const StepRecord<2> &);
   template Row
   history_row(const StepRecord<2> &);
 } // namespace Riedel::Output

@@ -3,12 +3,30 @@
 
 namespace Riedel::Output
 {
+  namespace
+  {
+    /// Does a formula change with s? Asked at some place inside a body.
+    template <int dim>
+    bool
+    changes(const Expression<dim> &formula)
+    {
+      dealii::Point<dim> place;
+      for (unsigned int d = 0; d < dim; ++d)
+        place[d] = 0.01 * (d + 1);
+      for (const double s : {0.1, 0.37, 1.0})
+        if (formula(place, s) != formula(place, 0.0))
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Watch<dim>::Watch(
     const Parameters                                    &parameters,
     const Equilibrium::BoundaryConditionParameters<dim> &conditions)
   {
-    const dealii::Point<dim> origin;
     for (unsigned int b = 0; b < conditions.boundaries.size(); ++b)
       {
         const auto &candidate = conditions.boundaries[b];
@@ -18,8 +36,7 @@ namespace Riedel::Output
         for (unsigned int d = 0; d < dim; ++d)
           {
             const auto &formula = candidate.displacement[d];
-            const bool  moves =
-              formula.given() && formula(origin, 0.0) != formula(origin, 1.0);
+            const bool  moves   = formula.given() && changes(formula);
             if (boundary < 0 && moves)
               {
                 boundary  = static_cast<int>(b);

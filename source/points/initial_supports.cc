@@ -75,28 +75,21 @@ namespace Riedel::Points
     , parameters(parameters)
     , follow_deformation(follow_deformation)
     , sampling(dealii::QGauss<dim>(2))
-  {
-    const auto &fe = space.element();
-    for (unsigned int component = 0; component < space.n_components();
-         ++component)
-      {
-        const unsigned int base = (component < dim ? 0 : 1);
-        for (unsigned int a = 0; a < fe.base_element(base).n_dofs_per_cell();
-             ++a)
-          dof_order.push_back(fe.component_to_system_index(component, a));
-      }
-  }
+  {}
 
 
 
   template <int dim>
   dealii::Quadrature<dim>
-  InitialSupports<dim>::quadrature(const Grid::Parameters &parameters)
+  InitialSupports<dim>::quadrature() const
   {
+    const unsigned int degree =
+      space->is_micropolar() ?
+        std::min(parameters.displacement_degree, parameters.rotation_degree) :
+        parameters.displacement_degree;
     // Q2/Q1 converges with 2x2 points; a biquadratic rotation needs 3x3, or it
     // has an hourglass mode (doc/theory/elements.md).
-    return dealii::QGauss<dim>(
-      std::min(parameters.displacement_degree, parameters.rotation_degree) + 1);
+    return dealii::QGauss<dim>(degree + 1);
   }
 
 
@@ -196,13 +189,13 @@ namespace Riedel::Points
             space->is_micropolar() ?
               space->element().base_element(1).n_dofs_per_cell() :
               0;
-          patch.n_dofs                = dof_order.size();
+          patch.n_dofs                = space->order_by_component().size();
           patch.first_dof             = result.dofs.size();
           patch.first_weight          = own.weight.size();
           patch.first_rotation_weight = own.rotation_weight.size();
 
           group.cell->get_dof_indices(cell_dofs);
-          for (const unsigned int i : dof_order)
+          for (const unsigned int i : space->order_by_component())
             {
               result.global_dofs.push_back(cell_dofs[i]);
               result.dofs.push_back(space->local(cell_dofs[i]));
@@ -311,7 +304,8 @@ namespace Riedel::Points
       for (unsigned int i = 0; i < dim * n; ++i)
         nodal[i] = solution[result.dofs[some.first_dof + i]];
 
-    // The points' own rows, and their volumes.
+    // The points' own rows, their volumes, and the mean of the rows (later: the
+    // sampled rows of a point).
     double              cell_volume = 0.0;
     std::vector<double> mean(dim * n, 0.0), mean_weight(nw, 0.0);
     for (const unsigned int k : cell.patches)
@@ -385,30 +379,29 @@ namespace Riedel::Points
                 continue;
               }
 
-            std::vector<double> gradient = mean, weight = mean_weight;
             if (at_samples)
               {
-                std::fill(gradient.begin(), gradient.end(), 0.0);
-                std::fill(weight.begin(), weight.end(), 0.0);
+                std::fill(mean.begin(), mean.end(), 0.0);
+                std::fill(mean_weight.begin(), mean_weight.end(), 0.0);
                 for (unsigned int s = 0; s < sampling.size(); ++s)
                   {
                     const double share =
                       interpolation[(patch.first_point + q) * sampling.size() +
                                     s];
                     for (unsigned int i = 0; i < dim * n; ++i)
-                      gradient[i] += share * sample_gradient[s * dim * n + i];
+                      mean[i] += share * sample_gradient[s * dim * n + i];
                     for (unsigned int a = 0; a < nw; ++a)
-                      weight[a] +=
+                      mean_weight[a] +=
                         share *
                         sampled.rotation_weight[cell.first_sample + s * nw + a];
                   }
               }
             const double share = parameters.own_strain_fraction;
-            blend(dim * n, share, gradient.data(), &result.gradient[u]);
+            blend(dim * n, share, mean.data(), &result.gradient[u]);
             std::copy_n(own.rotation_weight.data() + w,
                         nw,
                         result.spin_weight.data() + w);
-            blend(nw, share, weight.data(), result.spin_weight.data() + w);
+            blend(nw, share, mean_weight.data(), result.spin_weight.data() + w);
           }
       }
   }

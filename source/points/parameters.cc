@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/box.h>
 #include <riedel/pattern.h>
 #include <riedel/points/parameters.h>
 
@@ -49,8 +50,7 @@ namespace Riedel::Points
         prm.enter_subsection(name);
         prm.declare_entry("Box",
                           "",
-                          FormPattern(dim == 2 ? "x0, y0 : x1, y1" :
-                                                 "x0, y0, z0 : x1, y1, z1"),
+                          FormPattern(box_form<dim>()),
                           "Lower left and upper right corner of the zone "
                           "[m]. Must be given.");
         prm.declare_entry("Void ratio",
@@ -91,45 +91,6 @@ namespace Riedel::Points
     number(const std::string &text)
     {
       return text.empty() ? 0.0 : Utilities::string_to_double(text);
-    }
-
-    template <int dim>
-    dealii::BoundingBox<dim>
-    read_box(const std::string &text, const std::string &path)
-    {
-      const std::string form =
-        std::string(" Write the lower left and the upper right corner [m]: ") +
-        (dim == 2 ? "\"x0, y0 : x1, y1\"." : "\"x0, y0, z0 : x1, y1, z1\".");
-      if (text.empty())
-        throw ParameterError(path, "The box is missing." + form);
-
-      std::pair<dealii::Point<dim>, dealii::Point<dim>> corners;
-      const auto parts = Utilities::split_string_list(text, ':');
-      bool       good  = parts.size() == 2;
-      for (unsigned int corner = 0; good && corner < 2; ++corner)
-        {
-          const auto numbers = Utilities::split_string_list(parts[corner]);
-          good               = numbers.size() == dim;
-          for (unsigned int d = 0; good && d < dim; ++d)
-            {
-              good = Patterns::Double().match(numbers[d]);
-              if (good)
-                (corner == 0 ? corners.first : corners.second)[d] =
-                  Utilities::string_to_double(numbers[d]);
-            }
-        }
-      if (!good)
-        throw ParameterError(path,
-                             "The box \"" + text + "\" cannot be read." + form);
-      for (unsigned int d = 0; d < dim; ++d)
-        if (!(corners.first[d] < corners.second[d]))
-          throw ParameterError(path,
-                               "The box \"" + text +
-                                 "\" is empty: each coordinate of the first "
-                                 "corner must be smaller than that of the "
-                                 "second." +
-                                 form);
-      return dealii::BoundingBox<dim>(corners);
     }
   } // namespace
 

@@ -12,7 +12,7 @@ from scene_tools import Check
 
 check = Check(__doc__)
 SCENE = "../specimen/case.prm"
-for name in ("failing", "interrupted", "again"):
+for name in ("failing", "failing_on_two", "interrupted", "again"):
     shutil.rmtree(check.results / name, ignore_errors=True)
 
 # A step that cannot be solved: exit code 1, a message that names the step, the
@@ -31,6 +31,11 @@ check.close("the last fields are those of the last step", points["load"], load,
             absolute=1e-12)
 check.contains("log.txt", (failed.folder / "log.txt").read_text(),
                " not solved: ", "Where the time went")
+
+# The same on two ranks: the message comes once and nothing hangs.
+failed = check.run("failing.prm", "failing_on_two", ranks=2, expect=1)
+check.note(failed.text.count(" cannot be solved: ") == 1,
+           "the message comes once on two ranks")
 
 # Ctrl-C: the step is finished, everything is written, exit code 0.
 interrupted = check.run(SCENE, "interrupted", interrupt_after=4)

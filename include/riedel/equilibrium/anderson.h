@@ -4,6 +4,7 @@
 #include <riedel/linear_algebra.h>
 
 #include <deque>
+#include <vector>
 
 namespace Riedel::Equilibrium
 {
@@ -41,14 +42,20 @@ namespace Riedel::Equilibrium
     advance(LinearAlgebra::Vector &x, const LinearAlgebra::Vector &f);
 
   private:
+    /// A secant pair; only what is needed of it.
     struct Pair
     {
-      LinearAlgebra::Vector dx, df;
+      LinearAlgebra::Vector sum; ///< dx + df
+      LinearAlgebra::Vector df;
+      LinearAlgebra::Vector weighted; ///< df times the squared weights
+      /// products with the pairs that are older, newest of them first
+      std::deque<double> products;
     };
 
-    double
-    product(const LinearAlgebra::Vector &a,
-            const LinearAlgebra::Vector &b) const;
+    /// argmin |f - dF gamma|, newest pair first; 0 for pairs that depend on
+    /// newer ones.
+    std::vector<double>
+    minimise(const std::vector<double> &projections) const;
 
     const unsigned int           n_pairs;
     const LinearAlgebra::Vector *squared_weights;

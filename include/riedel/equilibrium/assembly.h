@@ -8,6 +8,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

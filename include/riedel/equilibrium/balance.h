@@ -55,10 +55,6 @@ namespace Riedel::Equilibrium
     void
     begin_step(const std::vector<double> &u, const double s);
 
-    /// Another end for the same step.
-    void
-    set_load(const double s);
-
     /// A vector of increments, zero.
     LinearAlgebra::Vector
     vector() const
@@ -69,6 +65,11 @@ namespace Riedel::Equilibrium
     /// Gives the prescribed dofs of @p du their increments.
     void
     impose(LinearAlgebra::Vector &du) const;
+
+    /// Largest difference between the prescribed increments and those of @p du,
+    /// relative to the largest prescribed increment.
+    double
+    mismatch(const LinearAlgebra::Vector &du) const;
 
     /// Out-of-balance forces @p r at @p du, zero at prescribed dofs. A residual
     /// sweep: laws are asked for values only.
@@ -110,12 +111,6 @@ namespace Riedel::Equilibrium
       return external;
     }
 
-    const BoundaryConditions<dim> &
-    boundary_conditions() const
-    {
-      return conditions;
-    }
-
     /// Force [N/m in 2D] and moment about the origin [N] that a boundary exerts
     /// on the body after the last sweep, summed over the ranks.
     struct Reaction
@@ -150,6 +145,13 @@ namespace Riedel::Equilibrium
     std::uint64_t n_factorisations = 0;
 
   private:
+    /// Stiffness under @p constraints at @p du, and its factors.
+    Residual
+    factorise_at(const LinearAlgebra::Vector             &du,
+                 const dealii::AffineConstraints<double> &constraints,
+                 LinearAlgebra::Vector                   &r,
+                 LinearAlgebra::Vector                   &right_hand_side);
+
     Residual
     evaluate(const LinearAlgebra::Vector             &du,
              LinearAlgebra::Vector                   &r,
@@ -173,11 +175,15 @@ namespace Riedel::Equilibrium
     LinearAlgebra::SparseMatrix   matrix;
     std::unique_ptr<DirectSolver> solver;
     bool                          factorised = false;
+    /// norm of the diagonal of the displacements' stiffness
+    double stiffness_norm = 0.0;
 
-    std::vector<double> start;      ///< displacement at the step's start
-    std::vector<double> prescribed; ///< increments, by local number
+    std::vector<double> start;       ///< displacement at the step's start
+    std::vector<double> prescribed;  ///< increments, by local number
     std::vector<double> body_forces; ///< relevant dofs
-    double              load = 0.0;
+    std::vector<double>
+           present; ///< displacement of the last sweep, relevant dofs
+    double load = 0.0;
     /// nodal forces of the last sweep, relevant dofs
     std::vector<double>   increment, internal, applied, virtual_forces;
     LinearAlgebra::Vector external, reaction, squared_lengths;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/generalised.h>
 #include <riedel/equilibrium/parameters.h>
 #include <riedel/grid/body.h>
 #include <riedel/grid/space.h>
@@ -24,7 +25,7 @@ namespace Riedel::Equilibrium
   class Loads
   {
   public:
-    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+    static constexpr unsigned int n_spin = Continuum::Generalised<dim>::n_spin;
 
     Loads(const BoundaryConditionParameters<dim> &boundaries,
           const LoadingParameters<dim>           &loading,
@@ -55,6 +56,7 @@ namespace Riedel::Equilibrium
     struct Surface
     {
       dealii::Tensor<1, dim> force; ///< resultant of the loads [N/m in 2D]
+      double moment = 0.0;          ///< of the loads about the origin [N in 2D]
       dealii::Tensor<1, dim> normal_area; ///< present area times normal [m]
       dealii::Tensor<1, dim> initial_normal_area; ///< before the first step
     };
@@ -84,7 +86,6 @@ namespace Riedel::Equilibrium
     const BoundaryConditionParameters<dim> *parameters;
     const LoadingParameters<dim>           *loading;
     const Grid::Space<dim>                 *space;
-    std::vector<unsigned int>               dof_order;
     std::vector<unsigned int>               dofs;
     std::vector<FacePoint>                  face_points;
     mutable std::vector<Surface>            surface;

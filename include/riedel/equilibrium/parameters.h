@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/generalised.h>
 #include <riedel/errors.h>
 #include <riedel/expression.h>
 
@@ -34,7 +35,7 @@ namespace Riedel::Equilibrium
   template <int dim>
   struct BoundaryParameters
   {
-    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+    static constexpr unsigned int n_spin = Continuum::Generalised<dim>::n_spin;
 
     std::string name;
     /// prescribed displacement components [m]
@@ -86,7 +87,8 @@ namespace Riedel::Equilibrium
     /// body force per initial volume [N/m3] besides the weight of Initial state
     std::array<Expression<dim>, dim> body_force;
     /// couple per initial volume [N/m2]
-    std::array<Expression<dim>, (dim == 2 ? 1 : 3)> body_couple;
+    std::array<Expression<dim>, Continuum::Generalised<dim>::n_spin>
+      body_couple;
 
     static void
     declare(dealii::ParameterHandler &prm);
@@ -127,7 +129,7 @@ namespace Riedel::Equilibrium
     /// iterations after which a step is cut
     unsigned int most_iterations = 25;
     /// number of iterations the step size is adapted to
-    unsigned int target_iterations = 4;
+    unsigned int target_iterations = 5;
     /// refactor after so many iterations with one factor in one step
     unsigned int refactor_after = 8;
     /// refactor if residuals shrink more slowly than by this factor

@@ -28,9 +28,12 @@ namespace Riedel::Equilibrium
   public:
     virtual ~Scheme() = default;
 
-    /// Improves @p du until balance or failure.
+    /// Improves @p du until balance or failure. @p last_chance: no smaller step
+    /// will be tried, so that more effort is worth it.
     virtual Outcome
-    solve(Balance<dim> &balance, LinearAlgebra::Vector &du) = 0;
+    solve(Balance<dim>          &balance,
+          LinearAlgebra::Vector &du,
+          const bool             last_chance) = 0;
 
     /// The next step should begin with a new factorisation.
     virtual void

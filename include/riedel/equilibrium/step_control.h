@@ -35,6 +35,13 @@ namespace Riedel::Equilibrium
     bool
     failed();
 
+    /// Would another failure end the run, or have smaller steps not helped?
+    bool
+    is_last_chance() const
+    {
+      return fixed || failures_in_a_row >= 2 || 0.5 * last < smallest;
+    }
+
     /// The step that was last tried.
     double
     tried() const
@@ -54,7 +61,8 @@ namespace Riedel::Equilibrium
     const bool         fixed;
     const unsigned int target_iterations;
     double             size;
-    double             last = 0.0;
-    unsigned int       cuts = 0;
+    double             last              = 0.0;
+    unsigned int       cuts              = 0;
+    unsigned int       failures_in_a_row = 0;
   };
 } // namespace Riedel::Equilibrium

@@ -18,12 +18,13 @@ namespace Riedel::Equilibrium
    *
    *     P - j sigma_bar f^-T   and   b + div sigma_bar.
    *
-   * It needs no detection of the surface and acts wherever the surface is. p is
-   * read at the present position of a point. A dead load (initial area) scales
-   * sigma_bar by initial over present area of the boundary. The derivative with
-   * respect to f is exact; those of p with position and of the present area
-   * are left out of the tangent (they vanish for a uniform pressure on the
-   * present area).
+   * It needs no detection of the surface and acts wherever the surface is: on
+   * the opposite side of the body too, which must be held in this direction.
+   * p is read at the present position of a point. A dead load (initial area)
+   * scales sigma_bar by initial over present area of the boundary. The tangent
+   * has the derivative of j sigma_bar f^-T with respect to f; those of p with
+   * position, of the present area and of j div sigma_bar are left out. They
+   * vanish for a uniform pressure on the present area.
    */
   template <int dim>
   class VirtualStress

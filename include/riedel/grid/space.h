@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/generalised.h>
 #include <riedel/grid/parameters.h>
 #include <riedel/linear_algebra.h>
 
@@ -10,6 +11,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -27,7 +29,7 @@ namespace Riedel::Grid
   class Space
   {
   public:
-    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+    static constexpr unsigned int n_spin = Continuum::Generalised<dim>::n_spin;
 
     Space(const dealii::Triangulation<dim> &triangulation,
           const Parameters                 &parameters,
@@ -84,6 +86,22 @@ namespace Riedel::Grid
       return static_cast<unsigned int>(relevant_dofs.index_within_set(dof));
     }
 
+    /// Place of an owned dof, given by its local number, in owned_vector().
+    unsigned int
+    owned_place(const unsigned int local_number) const
+    {
+      return static_cast<unsigned int>(owned_dofs.index_within_set(
+        relevant_dofs.nth_index_in_set(local_number)));
+    }
+
+    /// A cell's dofs ordered by component: all nodes of the first component,
+    /// all of the second, and so on; as numbers within the cell.
+    const std::vector<unsigned int> &
+    order_by_component() const
+    {
+      return cell_order;
+    }
+
     /// Hanging nodes only.
     const dealii::AffineConstraints<double> &
     hanging_nodes() const
@@ -103,6 +121,18 @@ namespace Riedel::Grid
     nodes() const
     {
       return node_positions;
+    }
+
+    /// Deformed position of the node of a displacement dof [m]; @p solution:
+    /// relevant dofs.
+    dealii::Point<dim>
+    deformed_node(const unsigned int         local_number,
+                  const std::vector<double> &solution) const
+    {
+      dealii::Point<dim> x = node_positions[local_number];
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] += solution[node_dofs[local_number][d]];
+      return x;
     }
 
     /// Relevant dofs of one component on a boundary, as local numbers.
@@ -131,8 +161,11 @@ namespace Riedel::Grid
     dealii::IndexSet                  owned_dofs;
     dealii::IndexSet                  relevant_dofs;
     dealii::AffineConstraints<double> hanging;
+    std::vector<unsigned int>         cell_order;
     std::vector<unsigned char>        component_of_dof;
     std::vector<dealii::Point<dim>>   node_positions;
+    /// the displacement dofs of the node of every displacement dof
+    std::vector<std::array<unsigned int, dim>> node_dofs;
     /// local numbers of the owned dofs; of the others, with global numbers
     std::vector<unsigned int> owned_local;
     std::vector<std::pair<unsigned int, dealii::types::global_dof_index>>

@@ -28,7 +28,7 @@ namespace Riedel::Material
     const double *increments; ///< n_points x n_generalised: H, theta, Gamma
     const double *committed;  ///< n_points x n_state: state at the step's start
     double       *trial;      ///< n_points x n_state: state at the step's end
-    double       *stresses;   ///< n_points x n_generalised: P, t, M [Pa, Pa, N/m]
+    double       *stresses; ///< n_points x n_generalised: P, t, M [Pa, Pa, N/m]
     /// n_points x n_generalised x n_generalised, d stress_a / d increment_b;
     /// null if only the stresses are wanted
     double *tangents;
@@ -43,16 +43,16 @@ namespace Riedel::Material
     enum class Refusal
     {
       none,
-      inverted_step,      ///< det f <= 0 or a relative rotation of 180 degrees
-      too_many_substeps,  ///< the error control did not end
-      not_finite          ///< a stress is not a number
+      inverted_step,     ///< det f <= 0 or a relative rotation of 180 degrees
+      too_many_substeps, ///< the error control did not end
+      not_finite         ///< a stress is not a number
     };
 
-    unsigned int floored        = 0; ///< put to the floor pressure
-    unsigned int clamped        = 0; ///< density factor clamped
-    unsigned int null_deviator  = 0; ///< s*_kl s*_lk <= 0, taken as zero
-    unsigned long long substeps = 0; ///< accepted substeps, all points
-    unsigned int refused        = 0; ///< points without a result
+    unsigned int       floored       = 0; ///< put to the floor pressure
+    unsigned int       clamped       = 0; ///< density factor clamped
+    unsigned int       null_deviator = 0; ///< s*_kl s*_lk <= 0, taken as zero
+    unsigned long long substeps      = 0; ///< accepted substeps, all points
+    unsigned int       refused       = 0; ///< points without a result
     /// first refused point: index in the batch, reason, what is known
     unsigned int first_refused = 0;
     Refusal      reason        = Refusal::none;

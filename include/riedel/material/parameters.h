@@ -28,10 +28,10 @@ namespace Riedel::Material
   {
     struct Entry
     {
-      std::string                name;
-      std::shared_ptr<Law<dim>>  law;
-      bool                       everywhere = true;
-      dealii::BoundingBox<dim>   box;
+      std::string               name;
+      std::shared_ptr<Law<dim>> law;
+      bool                      everywhere = true;
+      dealii::BoundingBox<dim>  box;
     };
 
     /// in the order of the file

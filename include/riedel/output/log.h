@@ -14,8 +14,9 @@ namespace Riedel::Output
   class Log
   {
   public:
-    /// @p path of the log file; @p speaks: this rank is the one.
-    Log(const std::string &path, const bool speaks);
+    /// @p path of the log file; @p speaks: this rank is the one; @p may_draw:
+    /// a progress bar is wanted if the output is a terminal.
+    Log(const std::string &path, const bool speaks, const bool may_draw);
 
     /// Writes a text and ends the line.
     void

@@ -35,7 +35,7 @@ namespace Riedel::Output
 
     double external_work = 0.0, stress_work = 0.0; ///< since the start [J/m]
     /// sums over all ranks
-    double               volume = 0.0, mass = 0.0;
+    double               volume = 0.0, solids = 0.0, mass = 0.0;
     std::uint64_t        n_points = 0;
     Equilibrium::Outcome outcome;
     std::uint64_t        sweeps = 0, factorisations = 0; ///< since the start
@@ -49,6 +49,11 @@ namespace Riedel::Output
   sum_up_points(const Points::MaterialPoints<dim> &points,
                 const MPI_Comm                     communicator,
                 StepRecord<dim>                   &record);
+
+  /// Difference of external and stress work over the larger one.
+  template <int dim>
+  double
+  energy_error(const StepRecord<dim> &record);
 
   /// The row of history.csv (doc/output.md).
   template <int dim>

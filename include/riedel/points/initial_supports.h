@@ -34,8 +34,8 @@ namespace Riedel::Points
                     const bool              follow_deformation);
 
     /// The quadrature whose points the material points are seeded on.
-    static dealii::Quadrature<dim>
-    quadrature(const Grid::Parameters &parameters);
+    dealii::Quadrature<dim>
+    quadrature() const;
 
     /// Shape functions at all points, after the grid or the points have
     /// changed. Fixes the order of points.
@@ -89,9 +89,6 @@ namespace Riedel::Points
     const Grid::Space<dim> *space;
     Grid::Parameters        parameters;
     bool                    follow_deformation;
-
-    /// order of a patch's dofs in the cell's
-    std::vector<unsigned int> dof_order;
 
     dealii::Quadrature<dim> sampling;
 

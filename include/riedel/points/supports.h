@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/generalised.h>
+
 #include <deal.II/base/types.h>
 
 #include <vector>
@@ -21,7 +23,7 @@ namespace Riedel::Points
   template <int dim>
   struct Supports
   {
-    static constexpr unsigned int n_spin = (dim == 2 ? 1 : 3);
+    static constexpr unsigned int n_spin = Continuum::Generalised<dim>::n_spin;
 
     struct Patch
     {
