@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A rigid rotation by 90 degrees in 4 and 36 steps only turns the stress.
 
-With 0.1 Pa, 1e-4 of the shear modulus, any stress that the rotation made would
-show. Without a stress there are no reactions, by which the program measures the
-residual: it cannot converge then.
+A body without stress stays without: what is left is compared with the shear
+modulus.
 """
 
 import math
@@ -19,7 +18,7 @@ check = Check(__doc__)
 for element in ("Q1/Q1 full", "Q1/Q1 mean dilatation", "Q1/Q1 assumed",
                 "Q2/Q1 full", "Q2/Q2 assumed"):
     for steps in (4, 36):
-        for pressure in (0.1, 100):
+        for pressure in (0, 100):
             name = f"{element}, {steps} steps, {pressure} Pa"
             p = check.run("rotation.prm", file_name(name),
                           element_settings(element) +
@@ -27,8 +26,8 @@ for element in ("Q1/Q1 full", "Q1/Q1 mean dilatation", "Q1/Q1 assumed",
                            f"Loading/Largest step={1 / steps!r}",
                            f"Initial state/Vertical pressure at top={pressure}"]
                           ).points()
-            scale = pressure
-            check.fields(name, 1e-8, s11=(p["stress_11"], -pressure, scale),
+            scale = pressure or 1000  # Pa, the shear modulus
+            check.fields(name, 1e-8 if pressure else 1e-10, s11=(p["stress_11"], -pressure, scale),
                          s22=(p["stress_22"], -pressure / 2, scale),
                          s33=(p["stress_33"], -pressure / 2, scale),
                          s12=(p["stress_12"], 0.0, scale),

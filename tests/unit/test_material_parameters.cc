@@ -74,21 +74,21 @@ TEST_CASE("what is wrong with materials is said", "[unit][material]")
     .check(mixed);
   REQUIRE(mixed.errors.size() == 1);
   CHECK(mixed.errors[0].path == "Materials/sand/Law");
-  CHECK(mixed.errors[0].message.find("`soil'") != std::string::npos);
-  CHECK(mixed.errors[0].message.find("`sand'") != std::string::npos);
+  CHECK(mixed.errors[0].message.find("\"soil\"") != std::string::npos);
+  CHECK(mixed.errors[0].message.find("\"sand\"") != std::string::npos);
 
-  Problems box;
-  parse({{"soil", "linear elastic"}},
-        elastic("soil", "linear elastic", "set Box = 0, 1 : 1, 0.5"))
-    .check(box);
-  REQUIRE(box.errors.size() == 1);
-  CHECK(box.errors[0].path == "Materials/soil/Box");
-
-  for (const std::string text : {"1, 2", "0, 0 : 1", "a, b : c, d"})
-    CHECK_THROWS_AS(
-      parse({{"soil", "linear elastic"}},
-            elastic("soil", "linear elastic", "set Box = " + text)),
-      InputError);
+  for (const std::string text :
+       {"1, 2", "0, 0 : 1", "a, b : c, d", "0, 1 : 1, 0.5"})
+    try
+      {
+        parse({{"soil", "linear elastic"}},
+              elastic("soil", "linear elastic", "set Box = " + text));
+        FAIL("a box was accepted: " + text);
+      }
+    catch (const ParameterError &error)
+      {
+        CHECK(error.path == "Materials/soil/Box");
+      }
 
   // a law of a material is checked under its path
   Problems law;
@@ -128,8 +128,8 @@ TEST_CASE("an unknown law declares only what every material has",
     {
       const std::string text = error.what();
       CHECK(text.find("Materials/sand/Law") != std::string::npos);
-      CHECK(text.find("`plar hypoplastic'") != std::string::npos);
-      CHECK(text.find("`polar hypoplastic'") != std::string::npos);
+      CHECK(text.find("\"plar hypoplastic\"") != std::string::npos);
+      CHECK(text.find("polar hypoplastic") != std::string::npos);
     }
 }
 
