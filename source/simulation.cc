@@ -15,6 +15,16 @@ namespace Riedel
   {
     /// Two load parameters closer than this are the same mark.
     constexpr double mark_tolerance = 1e-10;
+
+
+
+    /// Has the load reached another multiple of @p every since @p before?
+    bool
+    passed_mark(const double before, const double load, const double every)
+    {
+      return every > 0.0 && std::floor(load / every + mark_tolerance) >
+                              std::floor(before / every + mark_tolerance);
+    }
   } // namespace
 
 
@@ -235,7 +245,7 @@ namespace Riedel
     const double every = scene.output.bands_every;
     const bool   last  = load > scene.loading.stop - mark_tolerance;
     if (grain_size == 0.0 || every == 0.0 ||
-        (!last && load < last_bands + every - mark_tolerance))
+        !(last || passed_mark(last_bands, load, every)))
       return;
     const Timer::Scope scope(timer, "measurement of bands");
     last_bands = load;
@@ -269,11 +279,9 @@ namespace Riedel
   void
   Simulation<dim>::write_fields()
   {
-    const double every = scene.output.fields_every;
-    const bool   last  = load > scene.loading.stop - mark_tolerance;
-    const bool   first = n_steps == 0;
-    if (!first && !last &&
-        (every == 0.0 || load < last_fields + every - mark_tolerance))
+    const bool last = load > scene.loading.stop - mark_tolerance;
+    if (n_steps > 0 && !last &&
+        !passed_mark(last_fields, load, scene.output.fields_every))
       return;
     const Timer::Scope scope(timer, "files of fields");
     last_fields = load;
@@ -313,7 +321,7 @@ namespace Riedel
                              timer,
                              wall_seconds(),
                              communicator));
-    if (last_bands >= 0.0)
+    if (last_bands > 0.0)
       log.line("At s = " + Output::number(last_bands) + ": " +
                Output::bands_line(bands, grain_size));
     log.line("Results are in " + folder.name() + ".");

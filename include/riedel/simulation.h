@@ -104,7 +104,7 @@ namespace Riedel
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;
     Analysis::ShearBands  bands;
-    double                last_fields = -1.0, last_bands = -1.0;
+    double                last_fields = 0.0, last_bands = 0.0;
     std::size_t           n_floored_points = 0, n_clamped_points = 0;
   };
 } // namespace Riedel

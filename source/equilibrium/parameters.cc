@@ -369,7 +369,7 @@ namespace Riedel::Equilibrium
                       Patterns::Integer(1),
                       "A step that needs more iterations is cut.");
     prm.declare_entry("Target iterations",
-                      "5",
+                      "4",
                       Patterns::Integer(1),
                       "The step size is adapted to this number of iterations.");
     prm.declare_entry("Refactor after",

@@ -129,7 +129,7 @@ namespace Riedel::Equilibrium
     /// iterations after which a step is cut
     unsigned int most_iterations = 25;
     /// number of iterations the step size is adapted to
-    unsigned int target_iterations = 5;
+    unsigned int target_iterations = 4;
     /// refactor after so many iterations with one factor in one step
     unsigned int refactor_after = 8;
     /// refactor if residuals shrink more slowly than by this factor
