@@ -20,8 +20,6 @@ namespace
     const Scene::CommandLine command = Scene::read_command_line(argc, argv);
     std::ostream             silence(nullptr);
     std::ostream            &out = speaks ? std::cout : silence;
-    std::ostream            &err = speaks ? std::cerr : silence;
-
     if (!command.answer.empty())
       out << command.answer;
     else if (command.case_file.empty())
@@ -30,14 +28,14 @@ namespace
       {
         const auto scene =
           Scene::read_scene<2>(command.case_file, command.overrides);
+        if (!command.validate && !command.print_parameters)
+          return Riedel::run<2>(scene, command);
         for (const std::string &warning : scene.warnings)
-          err << "Warning: " << warning << std::endl;
-        if (command.print_parameters)
-          out << print(scene.parameters, *command.print_parameters);
-        else if (command.validate)
+          out << "Warning: " << warning << std::endl;
+        if (command.validate)
           out << command.case_file << " is valid." << std::endl;
         else
-          return Riedel::run<2>(scene, command);
+          out << print(scene.parameters, *command.print_parameters);
       }
     return 0;
   }
@@ -76,6 +74,6 @@ main(int argc, char **argv)
     }
   catch (const std::exception &error)
     {
-      return end(std::string("Riedel has a defect: ") + error.what(), 1);
+      return end(std::string("A defect of Riedel: ") + error.what(), 1);
     }
 }

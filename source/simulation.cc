@@ -124,6 +124,8 @@ namespace Riedel
 
     log.line(Output::banner(
       scene.general.title, scene.file, folder.name(), communicator));
+    for (const std::string &warning : scene.warnings)
+      log.line("Warning: " + warning);
     log.line(std::to_string(body.triangulation().n_global_active_cells()) +
              " cells, " + std::to_string(space.dof_handler().n_dofs()) +
              " unknowns.");

@@ -46,37 +46,86 @@ namespace Riedel::Equilibrium
 
 
 
-    /// K += volume B^T D B, all row-major; work has n x n_dofs values.
-    void
-    add_stiffness(const unsigned int n,
-                  const unsigned int n_dofs,
-                  const double       volume,
-                  const double      *B,
-                  const double      *D,
-                  double            *work,
-                  double            *K)
+    /// Rows of matrices are padded to whole blocks of this many numbers, which
+    /// the compiler turns into vector instructions.
+    constexpr std::size_t block = 8;
+
+
+
+    constexpr std::size_t
+    padded(const std::size_t n)
     {
-      for (unsigned int a = 0; a < n; ++a)
-        {
-          double *row = work + a * n_dofs;
-          for (unsigned int j = 0; j < n_dofs; ++j)
-            row[j] = 0.0;
-          for (unsigned int b = 0; b < n; ++b)
-            {
-              const double factor = volume * D[a * n + b];
-              for (unsigned int j = 0; j < n_dofs; ++j)
-                row[j] += factor * B[b * n_dofs + j];
-            }
-        }
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int i = 0; i < n_dofs; ++i)
-          {
-            const double factor = B[a * n_dofs + i];
-            if (factor != 0.0)
-              for (unsigned int j = 0; j < n_dofs; ++j)
-                K[i * n_dofs + j] += factor * work[a * n_dofs + j];
-          }
+      return (n + block - 1) / block * block;
     }
+
+
+
+    /// sum += factor * row, both of whole blocks; they must not overlap, or the
+    /// compiler could not use vector instructions.
+    inline void
+    add_row(const std::size_t n_blocks,
+            const double      factor,
+            const double *__restrict row,
+            double *__restrict sum)
+    {
+      for (std::size_t j = 0; j < n_blocks * block; ++j)
+        sum[j] += factor * row[j];
+    }
+
+
+
+    /// The stiffness of a patch: K += volume B^T D B with all rows padded.
+    class PatchStiffness
+    {
+    public:
+      void
+      reinit(const unsigned int n_generalised, const unsigned int n_dofs)
+      {
+        n        = n_generalised;
+        size     = n_dofs;
+        n_blocks = padded(n_dofs) / block;
+        B.assign(n * n_blocks * block, 0.0);
+        K.assign(n_dofs * n_blocks * block, 0.0);
+      }
+
+      template <int dim>
+      void
+      add(const Points::StrainOperator<dim> &rows,
+          const double                       volume,
+          const double                      *D)
+      {
+        const std::size_t stride = n_blocks * block;
+        rows.fill(B.data(), stride);
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            row_of_DB.assign(stride, 0.0);
+            for (unsigned int b = 0; b < n; ++b)
+              add_row(n_blocks,
+                      volume * D[a * n + b],
+                      &B[b * stride],
+                      row_of_DB.data());
+            const auto [first, last] = rows.nonzero_range(a);
+            for (unsigned int i = first; i < last; ++i)
+              add_row(n_blocks,
+                      B[a * stride + i],
+                      row_of_DB.data(),
+                      &K[i * stride]);
+          }
+      }
+
+      void
+      copy_to(dealii::FullMatrix<double> &matrix) const
+      {
+        matrix.reinit(size, size);
+        for (unsigned int i = 0; i < size; ++i)
+          std::copy_n(&K[i * n_blocks * block], size, &matrix(i, 0));
+      }
+
+    private:
+      unsigned int        n = 0, size = 0;
+      std::size_t         n_blocks = 0;
+      std::vector<double> B, K, row_of_DB;
+    };
   } // namespace
 
 
@@ -165,11 +214,12 @@ namespace Riedel::Equilibrium
     const bool         with_stiffness = (matrix != nullptr);
     const auto        &patches        = supports->patches;
 
-    SweepReport         report;
-    std::vector<double> values, local_forces, local_virtual, B, work;
-    typename VirtualStress<dim>::AtPoint         field;
-    dealii::FullMatrix<double>                   K;
-    dealii::Vector<double>                       zero;
+    SweepReport                          report;
+    std::vector<double>                  values, local_forces, local_virtual;
+    PatchStiffness                       stiffness;
+    typename VirtualStress<dim>::AtPoint field;
+    dealii::FullMatrix<double>           K;
+    dealii::Vector<double>               zero;
     std::vector<dealii::types::global_dof_index> global;
 
     for (std::size_t first = 0; first < patches.size();)
@@ -227,11 +277,7 @@ namespace Riedel::Equilibrium
             local_forces.assign(patch.n_dofs, 0.0);
             local_virtual.assign(patch.n_dofs, 0.0);
             if (with_stiffness)
-              {
-                K.reinit(patch.n_dofs, patch.n_dofs);
-                B.resize(n * patch.n_dofs);
-                work.resize(n * patch.n_dofs);
-              }
+              stiffness.reinit(n, patch.n_dofs);
 
             for (unsigned int q = 0; q < patch.n_points; ++q)
               {
@@ -265,11 +311,7 @@ namespace Riedel::Equilibrium
 
                 rows.add_forces(stress, V, local_forces.data());
                 if (with_stiffness)
-                  {
-                    rows.fill(B.data());
-                    add_stiffness(
-                      n, patch.n_dofs, V, B.data(), D, work.data(), &K(0, 0));
-                  }
+                  stiffness.add(rows, V, D);
               }
 
             for (unsigned int i = 0; i < patch.n_dofs; ++i)
@@ -279,6 +321,7 @@ namespace Riedel::Equilibrium
               }
             if (with_stiffness)
               {
+                stiffness.copy_to(K);
                 zero.reinit(patch.n_dofs);
                 global.assign(&supports->global_dofs[patch.first_dof],
                               &supports->global_dofs[patch.first_dof] +

@@ -132,23 +132,39 @@ namespace Riedel::Points
 
 
   template <int dim>
-  void
-  StrainOperator<dim>::fill(double *B) const
+  std::pair<unsigned int, unsigned int>
+  StrainOperator<dim>::nonzero_range(const unsigned int row) const
   {
     using Order = Continuum::Generalised<dim>;
-    const unsigned int n_dofs =
-      dim * n_nodes + Order::n_spin * n_rotation_nodes;
-    const unsigned int n_rows =
-      (n_rotation_nodes > 0 ? Order::n_micropolar : Order::n_classical);
-    std::fill(B, B + n_rows * n_dofs, 0.0);
+    if (row < Order::n_gradient)
+      {
+        // the volume part of mean dilatation depends on all displacements
+        if (dilatation != nullptr)
+          return {0, dim * n_nodes};
+        const unsigned int i = row / dim;
+        return {i * n_nodes, (i + 1) * n_nodes};
+      }
+    const unsigned int k     = row < Order::n_gradient + Order::n_spin ?
+                                 row - Order::n_gradient :
+                                 (row - Order::n_gradient - Order::n_spin) / dim;
+    const unsigned int first = dim * n_nodes + k * n_rotation_nodes;
+    return {first, first + n_rotation_nodes};
+  }
 
+
+
+  template <int dim>
+  void
+  StrainOperator<dim>::fill(double *B, const unsigned int stride) const
+  {
+    using Order = Continuum::Generalised<dim>;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         {
-          double *row = B + Order::gradient(i, j) * n_dofs;
-          std::copy(gradient + j * n_nodes,
-                    gradient + (j + 1) * n_nodes,
-                    row + i * n_nodes);
+          double *row = B + Order::gradient(i, j) * stride;
+          if (dilatation != nullptr)
+            std::fill_n(row, dim * n_nodes, 0.0);
+          std::copy_n(gradient + j * n_nodes, n_nodes, row + i * n_nodes);
           if (dilatation != nullptr && i == j)
             add(dim * n_nodes, 1.0 / dim, dilatation, row);
         }
@@ -157,13 +173,13 @@ namespace Riedel::Points
       for (unsigned int k = 0; k < Order::n_spin; ++k)
         {
           const unsigned int first = dim * n_nodes + k * n_rotation_nodes;
-          std::copy(spin_weight,
-                    spin_weight + n_rotation_nodes,
-                    B + Order::spin(k) * n_dofs + first);
+          std::copy_n(spin_weight,
+                      n_rotation_nodes,
+                      B + Order::spin(k) * stride + first);
           for (unsigned int j = 0; j < dim; ++j)
-            std::copy(curvature_gradient + j * n_rotation_nodes,
-                      curvature_gradient + (j + 1) * n_rotation_nodes,
-                      B + Order::curvature(k, j) * n_dofs + first);
+            std::copy_n(curvature_gradient + j * n_rotation_nodes,
+                        n_rotation_nodes,
+                        B + Order::curvature(k, j) * stride + first);
         }
   }
 

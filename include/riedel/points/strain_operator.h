@@ -3,6 +3,8 @@
 
 #include <riedel/points/supports.h>
 
+#include <utility>
+
 namespace Riedel::Points
 {
   /**
@@ -28,9 +30,14 @@ namespace Riedel::Points
                const double  volume,
                double       *values) const;
 
-    /// Fills the dense B, n_generalised rows of patch.n_dofs values.
+    /// Writes the dense B: n_generalised rows, @p stride numbers from one to
+    /// the next. Only the nonzero_range() of a row is written.
     void
-    fill(double *B) const;
+    fill(double *B, const unsigned int stride) const;
+
+    /// The dofs [first, second) that a row of B can depend on.
+    std::pair<unsigned int, unsigned int>
+    nonzero_range(const unsigned int row) const;
 
   private:
     unsigned int  n_nodes;
