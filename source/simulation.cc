@@ -134,7 +134,7 @@ namespace Riedel
         "The initial stress is out of balance with the initial loads: "
         "forces " +
         Output::number(outcome.residual.force / outcome.residual.reference) +
-        " of the reactions.");
+        " of the reactions. The first step brings it into balance.");
     log.line(Output::step_header(watch.description()));
     record_step();
     write_fields();
