@@ -21,7 +21,7 @@ namespace Riedel::Equilibrium
     {
       throw ComputationError(
         what + " of the stiffness matrix failed (code " + std::to_string(code) +
-        "). It is singular: a part of the body can move freely, or a material "
+        "). Most often it is singular: a part of the body can move freely, or a material "
         "has no stiffness. Check the boundary conditions.");
     }
 
@@ -49,14 +49,14 @@ namespace Riedel::Equilibrium
       void
       factorise() override
       {
-        if (!analysed)
+        int code = try_to_factorise();
+        // Pivots that the analysis could not foresee need more room.
+        while (code != 0 && needs_room() && extra_room < 1000)
           {
-            const int code = solver->SymbolicFactorization();
-            if (code != 0)
-              fail("The analysis", code);
-            analysed = true;
+            extra_room *= 2;
+            analysed = false;
+            code     = try_to_factorise();
           }
-        const int code = solver->NumericFactorization();
         if (code != 0)
           fail("The factorisation", code);
       }
@@ -72,11 +72,34 @@ namespace Riedel::Equilibrium
       }
 
     private:
+      int
+      try_to_factorise()
+      {
+        if (!analysed)
+          {
+            solver->SetICNTL(14, extra_room);
+            const int code = solver->SymbolicFactorization();
+            if (code != 0)
+              fail("The analysis", code);
+            analysed = true;
+          }
+        return solver->NumericFactorization();
+      }
+
+      /// Did MUMPS say that its work space was too small?
+      bool
+      needs_room() const
+      {
+        const int info = solver->GetINFOG()[0];
+        return info == -8 || info == -9;
+      }
+
       Epetra_LinearProblem          problem;
       Epetra_Vector                 right_hand_side;
       Epetra_Vector                 solution;
       std::unique_ptr<Amesos_Mumps> solver;
-      bool                          analysed = false;
+      bool                          analysed   = false;
+      int                           extra_room = 50; ///< per cent
     };
 
 
