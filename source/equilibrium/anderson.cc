@@ -37,22 +37,38 @@ namespace Riedel::Equilibrium
 
   namespace
   {
+    /// Sum of a_i b_i. Several partial sums, so that additions need not wait
+    /// for each other.
+    double
+    scalar_product(const std::size_t n,
+                   const double *__restrict a,
+                   const double *__restrict b)
+    {
+      constexpr std::size_t n_sums       = 16;
+      double                sums[n_sums] = {};
+      const std::size_t     whole        = n / n_sums * n_sums;
+      for (std::size_t i = 0; i < whole; i += n_sums)
+        for (std::size_t k = 0; k < n_sums; ++k)
+          sums[k] += a[i + k] * b[i + k];
+      double sum = 0.0;
+      for (const double part : sums)
+        sum += part;
+      for (std::size_t i = whole; i < n; ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+
+
+
     /// Scalar products of @p a with several vectors, in one communication.
     std::vector<double>
     products(const LinearAlgebra::Vector                      &a,
              const std::vector<const LinearAlgebra::Vector *> &others)
     {
-      const double       *values = a.begin();
-      const std::size_t   n      = a.end() - a.begin();
+      const std::size_t   n = a.end() - a.begin();
       std::vector<double> here, all(others.size());
       for (const auto *other : others)
-        {
-          const double *with = other->begin();
-          double        sum  = 0.0;
-          for (std::size_t i = 0; i < n; ++i)
-            sum += values[i] * with[i];
-          here.push_back(sum);
-        }
+        here.push_back(scalar_product(n, a.begin(), other->begin()));
       dealii::Utilities::MPI::sum(here, a.get_mpi_communicator(), all);
       return all;
     }

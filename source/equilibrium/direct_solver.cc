@@ -21,8 +21,8 @@ namespace Riedel::Equilibrium
     {
       throw ComputationError(
         what + " of the stiffness matrix failed (code " + std::to_string(code) +
-        "). Most often it is singular: a part of the body can move freely, or a material "
-        "has no stiffness. Check the boundary conditions.");
+        "). Most often it is singular: a part of the body can move freely, or "
+        "a material has no stiffness. Check the boundary conditions.");
     }
 
 

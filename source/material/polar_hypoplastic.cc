@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/continuum/generalised.h>
+#include <riedel/continuum/lanes.h>
 #include <riedel/continuum/step_kinematics.h>
 #include <riedel/material/polar_hypoplastic.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -53,6 +55,25 @@ namespace Riedel::Material
                  "strain that one substep of the law resolves; a step's first "
                  "substep follows from it");
       return layout;
+    }
+
+    /// How many points are computed at once if only stresses are wanted.
+    constexpr int n_lanes = Continuum::n_native_lanes;
+
+    /// Reads rows of numbers, one row for each lane. The last row fills the
+    /// lanes beyond the @p n_rows.
+    template <std::size_t n>
+    void
+    read_rows(const double                             *rows,
+              const unsigned int                        n_rows,
+              std::array<Continuum::Lanes<n_lanes>, n> &numbers)
+    {
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        {
+          const double *row = rows + std::min(lane, n_rows - 1) * n;
+          for (unsigned int i = 0; i < n; ++i)
+            numbers[i].values[lane] = row[i];
+        }
     }
   } // namespace
 
@@ -113,6 +134,144 @@ namespace Riedel::Material
 
 
 
+  namespace
+  {
+    /**
+     * What surrounds the integration of a step: kinematics, the state in the
+     * rotating frame, and the way back to the fixed frame. Number is that of
+     * one point or Lanes for several.
+     */
+    template <bool micropolar, typename Number>
+    struct PointStep
+    {
+      using Value    = Continuum::ValueOf<Number>;
+      using Place    = Places<micropolar>;
+      using Rotation = Continuum::PlaneRotation<Number>;
+
+      /// number of generalised components
+      static constexpr unsigned int n =
+        micropolar ? Continuum::Generalised<2>::n_micropolar :
+                     Continuum::Generalised<2>::n_classical;
+
+      Continuum::StepKinematics<Number>      kinematics;
+      HypoplasticLoading<micropolar, Number> loading;
+      /// stress; couple stress divided by d_50
+      HypoplasticStress<micropolar, Number> y;
+      Value                                 initial_volume;
+      Number                                final_void_ratio;
+      Value                                 substep_strain;
+
+      /// what the step makes of the point
+      std::array<Value, Place::n> trial;
+      std::array<Number, n>       generalised;
+
+      /// Only the kinematics is set: it says whether the rest can be.
+      explicit PointStep(const std::array<Number, n> &inputs)
+        : kinematics(inputs.data())
+      {}
+
+      void
+      start(const std::array<Number, n>       &inputs,
+            const std::array<Value, Place::n> &committed,
+            const double                       mean_grain_diameter)
+      {
+        loading.d    = kinematics.log_f;
+        loading.k    = {{Number(0.), Number(0.)}};
+        loading.spin = kinematics.log_f.turn;
+        if constexpr (micropolar)
+          {
+            loading.d = kinematics.stretching(inputs[4]);
+            loading.k =
+              Continuum::StepKinematics<Number>::curvature(inputs.data(),
+                                                           inputs.data() + 5);
+            for (Number &component : loading.k)
+              component = component * mean_grain_diameter;
+          }
+        loading.length = stretching_length(loading.at(0.));
+
+        for (unsigned int i = 0; i < 5; ++i)
+          y[i] = Number(committed[stress_place + i]);
+        if constexpr (micropolar)
+          for (unsigned int i = 0; i < 2; ++i)
+            y[5 + i] =
+              Number(committed[Place::couple_stress + i] / mean_grain_diameter);
+        initial_volume   = 1. + committed[Place::void_ratio];
+        final_void_ratio = initial_volume * kinematics.j - 1.;
+        substep_strain   = committed[Place::substep];
+      }
+
+      /// finite if everything that start() has set is
+      Value
+      sum_at_start() const
+      {
+        Value sum = value_of(loading.length) + value_of(loading.spin) +
+                    initial_volume + substep_strain;
+        for (const Number &component : y)
+          sum += value_of(component);
+        return sum;
+      }
+
+      HypoplasticStep<micropolar, Number>
+      integrator(const HypoplasticConstants &constants,
+                 const HypoplasticControls  &controls) const
+      {
+        return {constants,
+                controls,
+                loading,
+                kinematics.log_j,
+                initial_volume,
+                final_void_ratio};
+      }
+
+      /// Back to the fixed frame and to the start-of-step configuration.
+      void
+      finish(const double mean_grain_diameter)
+      {
+        const Rotation                       rotation(loading.spin);
+        const Continuum::PlaneTensor<Number> turned{.5 * (y[0] + y[1]),
+                                                    .5 * (y[0] - y[1]),
+                                                    .5 * (y[3] + y[4]),
+                                                    .5 * (y[4] - y[3])};
+        const std::array<Number, 4>          sigma =
+          turned.to_fixed_frame(rotation).components();
+        const std::array<Number, 4> P = kinematics.nominal(sigma);
+        std::copy(P.begin(), P.end(), generalised.begin());
+
+        trial[stress_place]     = value_of(sigma[0]);
+        trial[stress_place + 1] = value_of(sigma[3]);
+        trial[stress_place + 2] = value_of(y[2]);
+        trial[stress_place + 3] = value_of(sigma[1]);
+        trial[stress_place + 4] = value_of(sigma[2]);
+        if constexpr (micropolar)
+          {
+            generalised[4] = kinematics.j * (-2. * turned.turn);
+            const std::array<Number, 2> couple_stress = to_fixed_frame(
+              std::array<Number, 2>{
+                {y[5] * mean_grain_diameter, y[6] * mean_grain_diameter}},
+              rotation);
+            const std::array<Number, 2> M = kinematics.nominal(couple_stress);
+            std::copy(M.begin(), M.end(), generalised.begin() + 5);
+            for (unsigned int i = 0; i < 2; ++i)
+              trial[Place::couple_stress + i] = value_of(couple_stress[i]);
+          }
+        trial[Place::void_ratio] = value_of(final_void_ratio);
+        trial[Place::substep]    = substep_strain;
+      }
+
+      /// finite if everything that finish() has set is
+      Value
+      sum_at_end() const
+      {
+        Value sum = value_of(y[2]);
+        for (const Number &component : generalised)
+          sum += value_of(component);
+        return sum;
+      }
+    };
+  } // namespace
+
+
+
   template <bool micropolar>
   template <typename Number>
   Report::Refusal
@@ -123,113 +282,41 @@ namespace Riedel::Material
                                          double                 *tangent,
                                          HypoplasticPointReport &report) const
   {
-    constexpr unsigned int n = micropolar ?
-                                 Continuum::Generalised<2>::n_micropolar :
-                                 Continuum::Generalised<2>::n_classical;
-    using Place              = Places<micropolar>;
+    using Step               = PointStep<micropolar, Number>;
+    constexpr unsigned int n = Step::n;
 
-    Number inputs[n];
+    std::array<Number, n> inputs;
     for (unsigned int i = 0; i < n; ++i)
       inputs[i] = input<Number>(increment[i], i);
+    std::array<double, Places<micropolar>::n> state;
+    std::copy_n(committed, state.size(), state.begin());
 
-    const Continuum::StepKinematics<Number> kinematics(inputs);
-    if (!kinematics.valid)
-      return std::isfinite(value_of(kinematics.j)) ?
+    Step step(inputs);
+    if (!step.kinematics.valid)
+      return std::isfinite(value_of(step.kinematics.j)) ?
                Report::Refusal::inverted_step :
                Report::Refusal::not_finite;
-
-    HypoplasticLoading<micropolar, Number> loading;
-    loading.d    = kinematics.log_f;
-    loading.k    = {{Number(0.), Number(0.)}};
-    loading.spin = kinematics.log_f.turn;
-    if constexpr (micropolar)
-      {
-        loading.d = kinematics.stretching(inputs[4]);
-        loading.k =
-          Continuum::StepKinematics<Number>::curvature(inputs, inputs + 5);
-        for (Number &component : loading.k)
-          component = component * constants.mean_grain_diameter;
-      }
-    loading.length = stretching_length(loading.at(0.));
-
-    // The state in the rotating frame; couple stresses divided by d_50.
-    HypoplasticStress<micropolar, Number> y;
-    for (unsigned int i = 0; i < 5; ++i)
-      y[i] = Number(committed[stress_place + i]);
-    if constexpr (micropolar)
-      for (unsigned int i = 0; i < 2; ++i)
-        y[5 + i] = Number(committed[Place::couple_stress + i] /
-                          constants.mean_grain_diameter);
-    const double initial_volume   = 1. + committed[Place::void_ratio];
-    const Number final_void_ratio = initial_volume * kinematics.j - 1.;
-    double       substep_strain   = committed[Place::substep];
-
-    double sum = value_of(loading.length) + value_of(loading.spin) +
-                 initial_volume + substep_strain;
-    for (const Number &component : y)
-      sum += value_of(component);
-    if (!std::isfinite(sum))
+    step.start(inputs, state, constants.mean_grain_diameter);
+    if (!std::isfinite(step.sum_at_start()))
       return Report::Refusal::not_finite;
 
-    const HypoplasticStep<micropolar, Number> step(constants,
-                                                   controls,
-                                                   loading,
-                                                   kinematics.log_j,
-                                                   initial_volume,
-                                                   final_void_ratio);
-    const Report::Refusal refusal = step.integrate(y, substep_strain, report);
+    const Report::Refusal refusal =
+      step.integrator(constants, controls)
+        .integrate(step.y, step.substep_strain, report);
     if (refusal != Report::Refusal::none)
       return refusal;
 
-    // back to the fixed frame and to the start-of-step configuration
-    const Continuum::PlaneRotation<Number> rotation(loading.spin);
-    const Continuum::PlaneTensor<Number>   turned{.5 * (y[0] + y[1]),
-                                                .5 * (y[0] - y[1]),
-                                                .5 * (y[3] + y[4]),
-                                                .5 * (y[4] - y[3])};
-    const std::array<Number, 4>            sigma =
-      turned.to_fixed_frame(rotation).components();
-    const std::array<Number, 4> P = kinematics.nominal(sigma);
-
-    Number generalised[n];
-    std::copy(P.begin(), P.end(), generalised);
-    std::array<Number, 2> couple_stress{};
-    if constexpr (micropolar)
-      {
-        generalised[4] = kinematics.j * (-2. * turned.turn);
-        couple_stress  = to_fixed_frame(
-          std::array<Number, 2>{{y[5] * constants.mean_grain_diameter,
-                                  y[6] * constants.mean_grain_diameter}},
-          rotation);
-        const std::array<Number, 2> M = kinematics.nominal(couple_stress);
-        generalised[5]                = M[0];
-        generalised[6]                = M[1];
-      }
-
-    sum = value_of(y[2]);
-    for (const Number &component : generalised)
-      sum += value_of(component);
-    if (!std::isfinite(sum))
+    step.finish(constants.mean_grain_diameter);
+    if (!std::isfinite(step.sum_at_end()))
       return Report::Refusal::not_finite;
 
-    double *stress = trial + stress_place;
-    stress[0]      = value_of(sigma[0]);
-    stress[1]      = value_of(sigma[3]);
-    stress[2]      = value_of(y[2]);
-    stress[3]      = value_of(sigma[1]);
-    stress[4]      = value_of(sigma[2]);
-    if constexpr (micropolar)
-      for (unsigned int i = 0; i < 2; ++i)
-        trial[Place::couple_stress + i] = value_of(couple_stress[i]);
-    trial[Place::void_ratio] = value_of(final_void_ratio);
-    trial[Place::substep]    = substep_strain;
-
+    std::copy(step.trial.begin(), step.trial.end(), trial);
     for (unsigned int a = 0; a < n; ++a)
-      stresses[a] = value_of(generalised[a]);
+      stresses[a] = value_of(step.generalised[a]);
     if constexpr (!std::is_same<Number, double>::value)
       for (unsigned int a = 0; a < n; ++a)
         for (unsigned int b = 0; b < n; ++b)
-          tangent[a * n + b] = generalised[a].derivatives[b];
+          tangent[a * n + b] = step.generalised[a].derivatives[b];
     else
       (void)tangent;
     return Report::Refusal::none;
@@ -239,42 +326,92 @@ namespace Riedel::Material
 
   template <bool micropolar>
   template <typename Number>
-  Report
-  Hypoplastic<micropolar>::respond_all(const Batch &batch) const
+  void
+  Hypoplastic<micropolar>::respond_point(const Batch       &batch,
+                                         const unsigned int p,
+                                         Report            &report) const
   {
     constexpr unsigned int n_state = Places<micropolar>::n;
-    constexpr unsigned int n       = micropolar ?
-                                       Continuum::Generalised<2>::n_micropolar :
-                                       Continuum::Generalised<2>::n_classical;
-    Report                 report;
-    for (unsigned int p = 0; p < batch.n_points; ++p)
+    constexpr unsigned int n       = PointStep<micropolar, Number>::n;
+
+    HypoplasticPointReport point;
+    const Report::Refusal  refusal =
+      respond_point<Number>(batch.increments + p * n,
+                            batch.committed + p * n_state,
+                            batch.trial + p * n_state,
+                            batch.stresses + p * n,
+                            batch.tangents == nullptr ?
+                              nullptr :
+                              batch.tangents + p * n * n,
+                            point);
+    if (refusal != Report::Refusal::none)
       {
-        HypoplasticPointReport point;
-        const Report::Refusal  refusal =
-          respond_point<Number>(batch.increments + p * n,
-                                batch.committed + p * n_state,
-                                batch.trial + p * n_state,
-                                batch.stresses + p * n,
-                                batch.tangents == nullptr ?
-                                  nullptr :
-                                  batch.tangents + p * n * n,
-                                point);
-        if (refusal != Report::Refusal::none)
+        if (report.refused == 0)
           {
-            if (report.refused == 0)
-              {
-                report.first_refused = p;
-                report.reason        = refusal;
-              }
-            ++report.refused;
-            continue;
+            report.first_refused = p;
+            report.reason        = refusal;
           }
-        report.floored += point.floored;
-        report.clamped += point.flags.clamped;
-        report.null_deviator += point.flags.null_deviator;
-        report.substeps += point.substeps;
+        ++report.refused;
+        return;
       }
-    return report;
+    report.floored += point.floored;
+    report.clamped += point.flags.clamped;
+    report.null_deviator += point.flags.null_deviator;
+    report.substeps += point.substeps;
+  }
+
+
+
+  template <bool micropolar>
+  void
+  Hypoplastic<micropolar>::respond_group(const Batch       &batch,
+                                         const unsigned int first,
+                                         Report            &report) const
+  {
+    using Number                   = Continuum::Lanes<n_lanes>;
+    using Mask                     = Continuum::Mask<n_lanes>;
+    using Step                     = PointStep<micropolar, Number>;
+    constexpr unsigned int n       = Step::n;
+    constexpr unsigned int n_state = Places<micropolar>::n;
+
+    // where the batch ends inside the group, its last point fills the lanes
+    const unsigned int n_points =
+      std::min<unsigned int>(n_lanes, batch.n_points - first);
+    std::array<Number, n>       inputs;
+    std::array<Number, n_state> committed;
+    read_rows(batch.increments + first * n, n_points, inputs);
+    read_rows(batch.committed + first * n_state, n_points, committed);
+
+    Step                       step(inputs);
+    HypoplasticFlagsOf<Number> flags;
+    Mask                       usual = step.kinematics.valid;
+    if (any(usual))
+      {
+        step.start(inputs, committed, constants.mean_grain_diameter);
+        usual =
+          usual && is_finite(step.sum_at_start()) &&
+          abs(step.loading.spin) < Continuum::Turn<Number>::largest_small_angle;
+        usual =
+          usual && step.integrator(constants, controls)
+                     .integrate_at_once(step.y, step.substep_strain, flags);
+        step.finish(constants.mean_grain_diameter);
+        usual = usual && is_finite(step.sum_at_end());
+      }
+
+    for (unsigned int lane = 0; lane < n_points; ++lane)
+      if (usual[lane])
+        {
+          const unsigned int p = first + lane;
+          for (unsigned int i = 0; i < n_state; ++i)
+            batch.trial[p * n_state + i] = step.trial[i][lane];
+          for (unsigned int i = 0; i < n; ++i)
+            batch.stresses[p * n + i] = step.generalised[i][lane];
+          report.clamped += flags.clamped[lane];
+          report.null_deviator += flags.null_deviator[lane];
+          ++report.substeps;
+        }
+      else
+        respond_point<double>(batch, first + lane, report);
   }
 
 
@@ -283,9 +420,15 @@ namespace Riedel::Material
   Report
   Hypoplastic<micropolar>::respond(const Batch &batch) const
   {
+    using WithTangent = Forward<micropolar ? 8 : 4>;
+    Report report;
     if (batch.tangents == nullptr)
-      return respond_all<double>(batch);
-    return respond_all<Forward<micropolar ? 8 : 4>>(batch);
+      for (unsigned int first = 0; first < batch.n_points; first += n_lanes)
+        respond_group(batch, first, report);
+    else
+      for (unsigned int p = 0; p < batch.n_points; ++p)
+        respond_point<WithTangent>(batch, p, report);
+    return report;
   }
 
 

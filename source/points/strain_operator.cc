@@ -3,13 +3,31 @@
 #include <riedel/points/strain_operator.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace Riedel::Points
 {
   namespace
   {
+    /// Calls @p function with the number of nodes as a constant if it is that
+    /// of a common element: its loops are unrolled then.
+    template <typename Function>
+    void
+    with_constant(const unsigned int n, const Function &function)
+    {
+      if (n == 9)
+        function(std::integral_constant<unsigned int, 9>());
+      else if (n == 4)
+        function(std::integral_constant<unsigned int, 4>());
+      else
+        function(n);
+    }
+
+
+
+    template <typename Size>
     double
-    dot(const unsigned int n, const double *a, const double *b)
+    dot(const Size n, const double *a, const double *b)
     {
       double sum = 0.0;
       for (unsigned int i = 0; i < n; ++i)
@@ -19,8 +37,12 @@ namespace Riedel::Points
 
 
 
+    template <typename Size>
     void
-    add(const unsigned int n, const double factor, const double *a, double *sum)
+    add(const Size   n,
+        const double factor,
+        const double *__restrict a,
+        double *__restrict sum)
     {
       for (unsigned int i = 0; i < n; ++i)
         sum[i] += factor * a[i];
@@ -56,10 +78,12 @@ namespace Riedel::Points
                                   double       *increments) const
   {
     using Order = Continuum::Generalised<dim>;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        increments[Order::gradient(i, j)] =
-          dot(n_nodes, values + i * n_nodes, gradient + j * n_nodes);
+    with_constant(n_nodes, [&](const auto n) {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          increments[Order::gradient(i, j)] =
+            dot(n, values + i * n, gradient + j * n);
+    });
 
     if (dilatation != nullptr)
       {
@@ -71,18 +95,16 @@ namespace Riedel::Points
       }
 
     if (n_rotation_nodes > 0)
-      for (unsigned int k = 0; k < Order::n_spin; ++k)
-        {
-          const double *rotation =
-            values + dim * n_nodes + k * n_rotation_nodes;
-          increments[Order::spin(k)] =
-            dot(n_rotation_nodes, rotation, spin_weight);
-          for (unsigned int j = 0; j < dim; ++j)
-            increments[Order::curvature(k, j)] =
-              dot(n_rotation_nodes,
-                  rotation,
-                  curvature_gradient + j * n_rotation_nodes);
-        }
+      with_constant(n_rotation_nodes, [&](const auto n) {
+        for (unsigned int k = 0; k < Order::n_spin; ++k)
+          {
+            const double *rotation     = values + dim * n_nodes + k * n;
+            increments[Order::spin(k)] = dot(n, rotation, spin_weight);
+            for (unsigned int j = 0; j < dim; ++j)
+              increments[Order::curvature(k, j)] =
+                dot(n, rotation, curvature_gradient + j * n);
+          }
+      });
   }
 
 
@@ -94,12 +116,14 @@ namespace Riedel::Points
                                   double       *values) const
   {
     using Order = Continuum::Generalised<dim>;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        add(n_nodes,
-            volume * stresses[Order::gradient(i, j)],
-            gradient + j * n_nodes,
-            values + i * n_nodes);
+    with_constant(n_nodes, [&](const auto n) {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          add(n,
+              volume * stresses[Order::gradient(i, j)],
+              gradient + j * n,
+              values + i * n);
+    });
 
     if (dilatation != nullptr)
       {
@@ -114,19 +138,18 @@ namespace Riedel::Points
       }
 
     if (n_rotation_nodes > 0)
-      for (unsigned int k = 0; k < Order::n_spin; ++k)
-        {
-          double *rotation = values + dim * n_nodes + k * n_rotation_nodes;
-          add(n_rotation_nodes,
-              volume * stresses[Order::spin(k)],
-              spin_weight,
-              rotation);
-          for (unsigned int j = 0; j < dim; ++j)
-            add(n_rotation_nodes,
-                volume * stresses[Order::curvature(k, j)],
-                curvature_gradient + j * n_rotation_nodes,
-                rotation);
-        }
+      with_constant(n_rotation_nodes, [&](const auto n) {
+        for (unsigned int k = 0; k < Order::n_spin; ++k)
+          {
+            double *rotation = values + dim * n_nodes + k * n;
+            add(n, volume * stresses[Order::spin(k)], spin_weight, rotation);
+            for (unsigned int j = 0; j < dim; ++j)
+              add(n,
+                  volume * stresses[Order::curvature(k, j)],
+                  curvature_gradient + j * n,
+                  rotation);
+          }
+      });
   }
 
 

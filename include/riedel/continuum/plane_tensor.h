@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <riedel/continuum/forward.h>
+#include <riedel/continuum/lanes.h>
 
 #include <array>
 #include <cmath>
@@ -12,25 +12,41 @@ namespace Riedel::Continuum
    * Cosine and sine of an angle [rad]. The angles of a step are mostly small:
    * the polynomials are then exact to rounding and many times cheaper.
    */
+  template <typename Value>
   struct Turn
   {
-    double cosine;
-    double sine;
+    Value cosine;
+    Value sine;
+
+    /// Where the polynomials hold, up to this angle
+    static constexpr double largest_small_angle = .05;
+
+    static Turn
+    small(const Value &angle)
+    {
+      const Value x = angle * angle;
+      return {
+        1. + x * (-1. / 2 + x * (1. / 24 + x * (-1. / 720 + x * (1. / 40320)))),
+        angle *
+          (1. + x * (-1. / 6 +
+                     x * (1. / 120 + x * (-1. / 5040 + x * (1. / 362880)))))};
+    }
   };
 
-  inline Turn
+  inline Turn<double>
   turn(const double angle)
   {
-    if (std::abs(angle) < .05)
-      {
-        const double x = angle * angle;
-        return {1. +
-                  x * (-1. / 2 + x * (1. / 24 + x * (-1. / 720 + x / 40320))),
-                angle *
-                  (1. + x * (-1. / 6 +
-                             x * (1. / 120 + x * (-1. / 5040 + x / 362880))))};
-      }
+    if (std::abs(angle) < Turn<double>::largest_small_angle)
+      return Turn<double>::small(angle);
     return {std::cos(angle), std::sin(angle)};
+  }
+
+  /// For small angles only: the caller leaves other lanes to double.
+  template <int n>
+  Turn<Lanes<n>>
+  turn(const Lanes<n> &angle)
+  {
+    return Turn<Lanes<n>>::small(angle);
   }
 
   /**
@@ -47,13 +63,14 @@ namespace Riedel::Continuum
 
     PlaneRotation(const Number &angle)
     {
-      const Turn single = turn(value_of(angle));
-      cosine            = chain_rule(angle, single.cosine, -single.sine);
-      sine              = chain_rule(angle, single.sine, single.cosine);
-      const double c    = 1. - 2. * single.sine * single.sine;
-      const double s    = 2. * single.sine * single.cosine;
-      cosine_of_double  = chain_rule(angle, c, -2. * s);
-      sine_of_double    = chain_rule(angle, s, 2. * c);
+      using Value              = ValueOf<Number>;
+      const Turn<Value> single = turn(value_of(angle));
+      cosine                   = chain_rule(angle, single.cosine, -single.sine);
+      sine                     = chain_rule(angle, single.sine, single.cosine);
+      const Value c            = 1. - 2. * single.sine * single.sine;
+      const Value s            = 2. * single.sine * single.cosine;
+      cosine_of_double         = chain_rule(angle, c, -2. * s);
+      sine_of_double           = chain_rule(angle, s, 2. * c);
     }
   };
 

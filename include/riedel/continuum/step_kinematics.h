@@ -33,12 +33,14 @@ namespace Riedel::Continuum
     /// cof f = j f^-T in the order 11, 12, 21, 22
     std::array<Number, 4> cofactor;
 
-    /// the step can be taken: det f > 0 and c > -1. If not, only j is set
-    bool valid;
+    /// The step can be taken: det f > 0 and c > -1. If not, only j is set.
+    /// For Lanes: the step can be taken and the series for x holds.
+    ConditionOf<Number> valid;
 
     /// @param H H_11, H_12, H_21, H_22
     StepKinematics(const Number *H)
     {
+      using std::abs;
       using std::log1p;
       using std::sqrt;
 
@@ -48,35 +50,32 @@ namespace Riedel::Continuum
       const Number volume_change   = 2. * half_trace + (H[0] * H[3] - product);
       j                            = 1. + volume_change;
       valid                        = value_of(j) > 0.;
-      if (!valid)
+      if (!any(valid))
         return;
 
       const Number inverse_j = 1. / j;
       const Number q =
         (half_difference * half_difference + product) * inverse_j;
-      const bool   c_positive = 1. + value_of(half_trace) > 0.;
-      const double v          = value_of(q);
-      if (!c_positive && !(v < 0.))
-        {
-          // two negative eigenvalues, or a rotation by 180 degrees
-          valid = false;
-          return;
-        }
-
+      const auto   c_positive     = 1. + value_of(half_trace) > 0.;
+      const auto   series_holds   = c_positive && abs(value_of(q)) < 2e-3;
       const Number inverse_root_j = sqrt(inverse_j);
       Number       x;
-      if (c_positive && std::abs(v) < 2e-3)
-        x = chain_rule(
-          q,
-          1. + v * (-1. / 6 +
-                    v * (3. / 40 + v * (-5. / 112 +
-                                        v * (35. / 1152 - v * (63. / 2816))))),
-          -1. / 6 +
-            v * (3. / 20 +
-                 v * (-15. / 112 + v * (35. / 288 + v * (-315. / 2816 +
-                                                         v * (693. / 6656))))));
+      if constexpr (IsLanes<Number>::value)
+        {
+          valid = valid && series_holds;
+          x     = series(q);
+        }
+      else if (series_holds)
+        x = series(q);
       else
         {
+          const double v = value_of(q);
+          if (!c_positive && !(v < 0.))
+            {
+              // two negative eigenvalues, or a rotation by 180 degrees
+              valid = false;
+              return;
+            }
           // c is the better variable here: as a function of q, x has a
           // branch point at a quarter turn
           const Number c    = (1. + half_trace) * inverse_root_j;
@@ -133,6 +132,23 @@ namespace Riedel::Continuum
     {
       return {{m[0] * cofactor[0] + m[1] * cofactor[2],
                m[0] * cofactor[1] + m[1] * cofactor[3]}};
+    }
+
+  private:
+    /// x as a power series in q, exact to rounding for |q| < 2e-3
+    static Number
+    series(const Number &q)
+    {
+      const ValueOf<Number> v = value_of(q);
+      return chain_rule(
+        q,
+        1. + v * (-1. / 6 +
+                  v * (3. / 40 +
+                       v * (-5. / 112 + v * (35. / 1152 - v * (63. / 2816))))),
+        -1. / 6 +
+          v * (3. / 20 +
+               v * (-15. / 112 +
+                    v * (35. / 288 + v * (-315. / 2816 + v * (693. / 6656))))));
     }
   };
 } // namespace Riedel::Continuum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/continuum/forward.h>
+#include <riedel/continuum/lanes.h>
 
 #include <array>
 #include <cmath>
@@ -65,18 +66,29 @@ namespace Riedel::Material
 
 
   /// Places at which the rate had to be kept away from a singularity.
-  struct HypoplasticFlags
+  /// @tparam Condition bool, or a mask of several points
+  template <typename Condition>
+  struct BasicHypoplasticFlags
   {
-    bool clamped       = false; ///< density base below its smallest value
-    bool null_deviator = false; ///< |s^*| taken as zero, or cos 3 theta bounded
+    /// density base below its smallest value
+    Condition clamped = false;
+    /// |s^*| taken as zero, or cos 3 theta bounded
+    Condition null_deviator = false;
 
     void
-    merge(const HypoplasticFlags &other)
+    merge(const BasicHypoplasticFlags &other)
     {
       clamped       = clamped || other.clamped;
       null_deviator = null_deviator || other.null_deviator;
     }
   };
+
+  using HypoplasticFlags = BasicHypoplasticFlags<bool>;
+
+  /// The flags of the points that Number stands for.
+  template <typename Number>
+  using HypoplasticFlagsOf =
+    BasicHypoplasticFlags<Continuum::ConditionOf<Number>>;
 
 
 
@@ -103,9 +115,12 @@ namespace Riedel::Material
                        const Number               &deviator_33,
                        const Number               &determinant,
                        const Number               &void_ratio,
-                       HypoplasticFlags           &flags)
+                       HypoplasticFlagsOf<Number> &flags)
     {
+      using Continuum::any;
+      using Continuum::select;
       using Continuum::value_of;
+      using std::abs;
       using std::exp;
       using std::pow;
       using std::sqrt;
@@ -124,10 +139,11 @@ namespace Riedel::Material
       const double smallest =
         constants.minimum_void_ratio +
         HypoplasticConstants::smallest_density_base * range;
-      if (!(value_of(scaled) > smallest))
+      const auto clamped = !(value_of(scaled) > smallest);
+      if (any(clamped))
         {
-          scaled        = Number(smallest);
-          flags.clamped = true;
+          scaled        = select(clamped, Number(smallest), scaled);
+          flags.clamped = flags.clamped || clamped;
         }
       const Number base =
         (scaled - constants.minimum_void_ratio) * (1. / range);
@@ -137,32 +153,37 @@ namespace Riedel::Material
 
       const Number deviator_square =
         2. * (deviator_33 * deviator_33 - determinant);
-      const double square     = value_of(deviator_square);
-      const double null       = 1e-24; // |s^*| = 1e-12
-      Number       inverse_a1 = Number(constants.c_1);
-      if (square > null)
+      const auto   square      = value_of(deviator_square);
+      const double null        = 1e-24; // |s^*| = 1e-12
+      const auto   anisotropic = square > null;
+      Number       inverse_a1  = Number(constants.c_1);
+      if (any(anisotropic))
         {
           const Number length = sqrt(deviator_square);
           // |s^*| cos 3 theta, eq. (27)
-          const Number cosine_part =
+          Number cosine_part =
             deviator_33 * determinant * (-3. * std::sqrt(6.)) / deviator_square;
           // |cos 3 theta| is at most 1 for a symmetric tensor, slightly more
           // for usual skew parts and without bound where s^*_kl s^*_lk
           // vanishes. The bound makes 1/a_1 continuous there.
-          constexpr double bound = largest_cosine;
-          if (std::abs(value_of(cosine_part)) > bound * value_of(length))
+          const auto bounded =
+            anisotropic &&
+            abs(value_of(cosine_part)) > largest_cosine * value_of(length);
+          if (any(bounded))
             {
-              flags.null_deviator = true;
-              const double cosine = value_of(cosine_part) > 0. ? bound : -bound;
-              inverse_a1 =
-                constants.c_1 + (constants.c_2 * (1. + cosine)) * length;
+              flags.null_deviator  = flags.null_deviator || bounded;
+              const Number largest = largest_cosine * length;
+              const Number bound =
+                select(value_of(cosine_part) > 0., largest, -largest);
+              cosine_part = select(bounded, bound, cosine_part);
             }
-          else
-            inverse_a1 = constants.c_1 + constants.c_2 * (length + cosine_part);
+          inverse_a1 =
+            select(anisotropic,
+                   constants.c_1 + constants.c_2 * (length + cosine_part),
+                   inverse_a1);
         }
-      else if (square < -null)
-        flags.null_deviator = true;
-      a_1 = 1. / inverse_a1;
+      flags.null_deviator = flags.null_deviator || square < -null;
+      a_1                 = 1. / inverse_a1;
     }
   };
 
@@ -184,11 +205,12 @@ namespace Riedel::Material
   typename Stretching::value_type
   stretching_length(const Stretching &d)
   {
+    using Continuum::all;
     using std::sqrt;
     typename Stretching::value_type square = d[0] * d[0];
     for (unsigned int i = 1; i < d.size(); ++i)
       square += d[i] * d[i];
-    if (Continuum::value_of(square) == 0.)
+    if (all(Continuum::value_of(square) == 0.))
       return typename Stretching::value_type(0.);
     return sqrt(square);
   }
@@ -214,7 +236,7 @@ namespace Riedel::Material
                    const Number                                    &void_ratio,
                    const HypoplasticStretching<micropolar, Number> &d,
                    const Number                                    &r,
-                   HypoplasticFlags                                &flags)
+                   HypoplasticFlagsOf<Number>                      &flags)
   {
     const Number trace   = stress[0] + stress[1] + stress[2];
     const Number inverse = 1. / trace;

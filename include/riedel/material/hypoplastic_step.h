@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/lanes.h>
 #include <riedel/continuum/plane_tensor.h>
 #include <riedel/material/hypoplastic_rate.h>
 #include <riedel/material/law.h>
@@ -39,11 +40,15 @@ namespace Riedel::Material
     Number
     smallest_pressure(const Number &void_ratio) const
     {
-      if (Continuum::value_of(void_ratio) < densest_at_floor)
-        return floor_pressure + compaction_resistance *
-                                  (densest_at_floor - void_ratio) /
-                                  (1. + void_ratio);
-      return Number(floor_pressure);
+      const auto denser = Continuum::value_of(void_ratio) < densest_at_floor;
+      if (!Continuum::any(denser))
+        return Number(floor_pressure);
+      return Continuum::select(denser,
+                               floor_pressure +
+                                 compaction_resistance *
+                                   (densest_at_floor - void_ratio) /
+                                   (1. + void_ratio),
+                               Number(floor_pressure));
     }
   };
 
@@ -61,10 +66,10 @@ namespace Riedel::Material
 
   /// The values of an array of numbers.
   template <typename Number, std::size_t n>
-  std::array<double, n>
+  std::array<Continuum::ValueOf<Number>, n>
   values_of(const std::array<Number, n> &numbers)
   {
-    std::array<double, n> values;
+    std::array<Continuum::ValueOf<Number>, n> values;
     for (std::size_t i = 0; i < n; ++i)
       values[i] = Continuum::value_of(numbers[i]);
     return values;
@@ -95,7 +100,7 @@ namespace Riedel::Material
                         micropolar ? to_turned_frame(k, rotation) : k);
     }
 
-    HypoplasticLoading<micropolar, double>
+    HypoplasticLoading<micropolar, Continuum::ValueOf<Number>>
     values() const
     {
       return {{Continuum::value_of(d.mean),
@@ -125,7 +130,7 @@ namespace Riedel::Material
 
   /// -tr sigma / 3 [Pa]
   template <typename Stress>
-  double
+  Continuum::ValueOf<typename Stress::value_type>
   mean_pressure(const Stress &y)
   {
     return (Continuum::value_of(y[0]) + Continuum::value_of(y[1]) +
@@ -137,12 +142,11 @@ namespace Riedel::Material
 
   /// Are the principal stresses (of the symmetric part) compressive?
   template <typename Stress>
-  bool
+  Continuum::ConditionOf<typename Stress::value_type>
   is_compressive(const Stress &y)
   {
-    const double s11 = Continuum::value_of(y[0]),
-                 s22 = Continuum::value_of(y[1]);
-    const double s12 =
+    const auto s11 = Continuum::value_of(y[0]), s22 = Continuum::value_of(y[1]);
+    const auto s12 =
       .5 * (Continuum::value_of(y[3]) + Continuum::value_of(y[4]));
     return s11 + s22 < 0. && s11 * s22 > s12 * s12 &&
            Continuum::value_of(y[2]) < 0.;
@@ -154,8 +158,11 @@ namespace Riedel::Material
   template <bool micropolar, typename Number>
   struct HypoplasticSubstep
   {
+    using Value        = Continuum::ValueOf<Number>;
+    using Condition    = Continuum::ConditionOf<Number>;
+    using Flags        = BasicHypoplasticFlags<Condition>;
     using Stress       = HypoplasticStress<micropolar, Number>;
-    using StressValues = HypoplasticStress<micropolar, double>;
+    using StressValues = HypoplasticStress<micropolar, Value>;
 
     /// Start and length, as parts of the step.
     struct Interval
@@ -167,55 +174,61 @@ namespace Riedel::Material
     Stress       end;
     StressValues rate_end;
     /// estimated error, relative to the size of the stresses
-    double error;
+    Value error;
     /// of the stages inside the substep
-    HypoplasticFlags flags;
+    Flags flags;
     /// of its end
-    HypoplasticFlags flags_end;
+    Flags flags_end;
 
     /**
      * Takes the substep. Returns false, with the other members undefined, if
      * a stage or the end is in tension.
      *
-     * @param void_ratios at 1/2, 3/4 and the end of the substep
+     * @param volumes 1 + e at 1/2, 3/4 and the end of the substep
      */
-    bool
+    Condition
     attempt(const HypoplasticConstants                   &constants,
             const double                                  floor_pressure,
             const Interval                               &interval,
             const Stress                                 &begin,
             const Stress                                 &rate_begin,
-            const std::array<Number, 3>                  &void_ratios,
+            const std::array<Number, 3>                  &volumes,
             const HypoplasticLoading<micropolar, Number> &loading,
-            const HypoplasticLoading<micropolar, double> &loading_values)
+            const HypoplasticLoading<micropolar, Value>  &loading_values)
     {
+      using Continuum::any;
+      using std::max;
+      using std::sqrt;
+
       const double t = interval.begin;
       const double h = interval.length;
       const double lowest =
         HypoplasticControls::smallest_stage_pressure * floor_pressure;
-      flags = flags_end = HypoplasticFlags();
+      flags = flags_end = Flags();
 
       Stress stage;
       for (unsigned int i = 0; i < stage.size(); ++i)
         stage[i] = begin[i] + (.5 * h) * rate_begin[i];
-      if (!(mean_pressure(stage) > lowest))
-        return false;
+      Condition compressive = mean_pressure(stage) > lowest;
+      if (!any(compressive))
+        return compressive;
       const Stress rate_half =
         hypoplastic_rate<micropolar, Number>(constants,
                                              stage,
-                                             void_ratios[0],
+                                             volumes[0] - 1.,
                                              loading.at(t + .5 * h),
                                              loading.length,
                                              flags);
 
       for (unsigned int i = 0; i < stage.size(); ++i)
         stage[i] = begin[i] + (.75 * h) * rate_half[i];
-      if (!(mean_pressure(stage) > lowest))
-        return false;
+      compressive = compressive && mean_pressure(stage) > lowest;
+      if (!any(compressive))
+        return compressive;
       const Stress rate_quarter =
         hypoplastic_rate<micropolar, Number>(constants,
                                              stage,
-                                             void_ratios[1],
+                                             volumes[1] - 1.,
                                              loading.at(t + .75 * h),
                                              loading.length,
                                              flags);
@@ -224,27 +237,30 @@ namespace Riedel::Material
         end[i] = begin[i] + (h * BogackiShampine::advance[0]) * rate_begin[i] +
                  (h * BogackiShampine::advance[1]) * rate_half[i] +
                  (h * BogackiShampine::advance[2]) * rate_quarter[i];
-      if (!(mean_pressure(end) > lowest) || !is_compressive(end))
-        return false;
+      compressive =
+        compressive && mean_pressure(end) > lowest && is_compressive(end);
+      if (!any(compressive))
+        return compressive;
 
       // the last stage serves the error only, and needs no derivatives
       const StressValues values = values_of(end);
-      rate_end = hypoplastic_rate<micropolar, double>(constants,
-                                                      values,
-                                                      Continuum::value_of(
-                                                        void_ratios[2]),
-                                                      loading_values.at(t + h),
-                                                      loading_values.length,
-                                                      flags_end);
+      rate_end =
+        hypoplastic_rate<micropolar, Value>(constants,
+                                            values,
+                                            Continuum::value_of(volumes[2]) -
+                                              1.,
+                                            loading_values.at(t + h),
+                                            loading_values.length,
+                                            flags_end);
 
       // Separate norms of stress and couple stress. Their lower bounds keep
       // points near the floor, or without couple stress, from endless
       // accuracy.
-      double stress_error = 0., couple_error = 0.;
-      double stress_scale = 0., couple_scale = 0.;
+      Value stress_error = 0., couple_error = 0.;
+      Value stress_scale = 0., couple_scale = 0.;
       for (unsigned int i = 0; i < end.size(); ++i)
         {
-          const double difference =
+          const Value difference =
             h *
             (BogackiShampine::error[0] * Continuum::value_of(rate_begin[i]) +
              BogackiShampine::error[1] * Continuum::value_of(rate_half[i]) +
@@ -254,12 +270,13 @@ namespace Riedel::Material
           (i < 5 ? stress_scale : couple_scale) += values[i] * values[i];
         }
       stress_scale =
-        std::max(stress_scale, 100. * floor_pressure * floor_pressure);
-      couple_scale = std::max(couple_scale, .01 * stress_scale);
-      error        = std::sqrt(stress_error / stress_scale);
+        max(stress_scale, Value(100. * floor_pressure * floor_pressure));
+      couple_scale       = max(couple_scale, Value(.01 * stress_scale));
+      Value error_square = stress_error / stress_scale;
       if constexpr (micropolar)
-        error = std::max(error, std::sqrt(couple_error / couple_scale));
-      return true;
+        error_square = max(error_square, Value(couple_error / couple_scale));
+      error = sqrt(error_square);
+      return compressive;
     }
   };
 
@@ -273,7 +290,9 @@ namespace Riedel::Material
   class HypoplasticStep
   {
   public:
-    using Stress = HypoplasticStress<micropolar, Number>;
+    using Value     = Continuum::ValueOf<Number>;
+    using Condition = Continuum::ConditionOf<Number>;
+    using Stress    = HypoplasticStress<micropolar, Number>;
 
     /**
      * @param log_j ln det f of the step
@@ -284,7 +303,7 @@ namespace Riedel::Material
                     const HypoplasticControls                    &controls,
                     const HypoplasticLoading<micropolar, Number> &loading,
                     const Number                                 &log_j,
-                    const double  initial_volume,
+                    const Value  &initial_volume,
                     const Number &final_void_ratio)
       : constants(constants)
       , controls(controls)
@@ -305,7 +324,6 @@ namespace Riedel::Material
               double                 &substep_strain,
               HypoplasticPointReport &report) const
     {
-      using std::exp;
       constexpr bool with_tangent = !std::is_same<Number, double>::value;
 
       const HypoplasticLoading<micropolar, double> loading_values =
@@ -362,22 +380,16 @@ namespace Riedel::Material
               break;
             }
 
-          // 1 + e at the stages, with one exponential
-          const Number growth         = exp(log_j * (.25 * h));
-          const Number growth_half    = growth * growth;
-          const Number volume_half    = volume * growth_half;
-          const Number volume_quarter = volume_half * growth;
-          const Number volume_end     = volume_half * growth_half;
-
-          const bool compressive = substep.attempt(
-            constants,
-            controls.floor_pressure,
-            {t, h},
-            y,
-            rate_begin,
-            {{volume_half - 1., volume_quarter - 1., volume_end - 1.}},
-            loading,
-            loading_values);
+          const std::array<Number, 3> volumes     = stage_volumes(volume, h);
+          const Number               &volume_end  = volumes[2];
+          const bool                  compressive = substep.attempt(constants,
+                                                   controls.floor_pressure,
+                                                   {t, h},
+                                                   y,
+                                                   rate_begin,
+                                                   volumes,
+                                                   loading,
+                                                   loading_values);
           if (!compressive && !substeps.is_smallest())
             {
               substeps.reject();
@@ -449,7 +461,86 @@ namespace Riedel::Material
       return Report::Refusal::none;
     }
 
+    /**
+     * integrate() for several points at once, in the usual case: one substep
+     * spans the step, as the point believed from the start, and the floor is
+     * not touched. Returns for which points that is so; what it leaves of the
+     * others means nothing.
+     */
+    Condition
+    integrate_at_once(Stress                     &y,
+                      Value                      &substep_strain,
+                      HypoplasticFlagsOf<Number> &flags) const
+    {
+      using std::max;
+      using std::min;
+
+      const HypoplasticLoading<micropolar, Value> loading_values =
+        loading.values();
+      const Value &strain             = loading_values.length;
+      const Value  initial_void_ratio = initial_volume - 1.;
+
+      Condition usual =
+        substep_strain >= strain && is_compressive(y) &&
+        mean_pressure(y) >=
+          controls.smallest_pressure(initial_void_ratio) * (1. - 1e-9);
+      if (!Continuum::any(usual))
+        return usual;
+
+      const Stress rate_begin =
+        hypoplastic_rate<micropolar, Number>(constants,
+                                             y,
+                                             initial_void_ratio,
+                                             loading.at(0.),
+                                             loading.length,
+                                             flags);
+      usual = usual && !(mean_pressure(rate_begin) <= 0. &&
+                         is_on_floor(y, initial_void_ratio));
+
+      HypoplasticSubstep<micropolar, Number> substep;
+      const std::array<Number, 3> volumes = stage_volumes(initial_volume, 1.);
+      const Condition             compressive = substep.attempt(constants,
+                                                    controls.floor_pressure,
+                                                    {0., 1.},
+                                                    y,
+                                                    rate_begin,
+                                                    volumes,
+                                                    loading,
+                                                    loading_values);
+      usual                                   = usual && compressive;
+      if (!Continuum::any(usual))
+        return usual;
+      flags.merge(substep.flags);
+      const Value error = substep.error / controls.substep_tolerance;
+      y                 = substep.end;
+      usual             = usual && error <= 1. &&
+              mean_pressure(y) >= controls.smallest_pressure(volumes[2] - 1.);
+
+      const Value largest(HypoplasticControls::largest_substep_strain);
+      if (Continuum::any(substep_strain < largest))
+        {
+          const Value resolved =
+            strain * BogackiShampine::suggested_length(error);
+          substep_strain =
+            Continuum::select(substep_strain < largest,
+                              min(max(substep_strain, resolved), largest),
+                              substep_strain);
+        }
+      return usual;
+    }
+
   private:
+    /// 1 + e at 1/2, 3/4 and the end of a substep, with one exponential
+    std::array<Number, 3>
+    stage_volumes(const Number &begin, const double length) const
+    {
+      using std::exp;
+      const Number growth      = exp(log_j * (.25 * length));
+      const Number growth_half = growth * growth;
+      const Number half        = begin * growth_half;
+      return {{half, half * growth, half * growth_half}};
+    }
+
     /// The isotropic stress without couple stress on the floor.
     Stress
     floor_stress(const Number &void_ratio) const
@@ -461,8 +552,8 @@ namespace Riedel::Material
       return y;
     }
 
-    bool
-    is_on_floor(const Stress &y, const double void_ratio) const
+    Condition
+    is_on_floor(const Stress &y, const Value &void_ratio) const
     {
       return mean_pressure(y) <=
              controls.smallest_pressure(void_ratio) * (1. + 1e-9);
@@ -496,7 +587,7 @@ namespace Riedel::Material
     const HypoplasticControls                    &controls;
     const HypoplasticLoading<micropolar, Number> &loading;
     const Number                                 &log_j;
-    const double                                  initial_volume;
+    const Value                                   initial_volume;
     const Number                                 &final_void_ratio;
   };
 } // namespace Riedel::Material

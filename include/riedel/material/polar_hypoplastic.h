@@ -22,6 +22,10 @@ namespace Riedel::Material
    * is exact in any number of steps and 1 + e is proportional to volume. The
    * tangent is the derivative of the sequence of substeps that was accepted.
    *
+   * Stresses without tangents are computed for several points at once
+   * (Continuum::Lanes), as long as one substep spans the step; a point's result
+   * does not depend on which points these are.
+   *
    * State: stress [Pa], couple_stress [N/m] (micropolar only), void_ratio,
    * substep (strain that one substep resolves; where a step starts).
    */
@@ -77,9 +81,13 @@ namespace Riedel::Material
                   Problems           &problems) const override;
 
   private:
+    /// Point @p p of a batch, with derivatives if Number has them; adds it to
+    /// the report.
     template <typename Number>
-    Report
-    respond_all(const Batch &batch) const;
+    void
+    respond_point(const Batch       &batch,
+                  const unsigned int p,
+                  Report            &report) const;
 
     template <typename Number>
     Report::Refusal
@@ -89,6 +97,13 @@ namespace Riedel::Material
                   double                 *stresses,
                   double                 *tangent,
                   HypoplasticPointReport &report) const;
+
+    /// The stresses of the points from @p first on, as many as there are
+    /// lanes: those in the usual case at once, the others one by one.
+    void
+    respond_group(const Batch       &batch,
+                  const unsigned int first,
+                  Report            &report) const;
 
     StateLayout          slots;
     HypoplasticConstants constants;

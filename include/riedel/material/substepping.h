@@ -110,10 +110,13 @@ namespace Riedel::Material
     /// Length of the substep whose error would just be tolerated, in units of
     /// the present one; not less than a tenth, for the estimate means little
     /// far away. @p error is the present error over its tolerance.
-    static double
-    suggested_length(const double error)
+    template <typename Value>
+    static Value
+    suggested_length(const Value &error)
     {
-      return std::max(.1, .9 / std::cbrt(std::max(error, 1e-30)));
+      using std::cbrt;
+      using std::max;
+      return max(Value(.1), Value(.9 / cbrt(max(error, Value(1e-30)))));
     }
   };
 } // namespace Riedel::Material
