@@ -6,50 +6,122 @@
 
 namespace Riedel::Continuum
 {
-  /// n doubles as one vector of the compiler's own; n is 4 or 8.
+  /**
+   * n doubles as vectors of the compiler's own, as long as the processor has
+   * them: GCC handles longer ones poorly. n is a multiple of 4.
+   */
   template <int n>
-  struct VectorOfDoubles;
-
-  template <>
-  struct VectorOfDoubles<4>
+  class DerivativeVector
   {
-    typedef double type __attribute__((vector_size(4 * sizeof(double))));
-  };
+    static constexpr int n_each =
+#if defined(__AVX512F__)
+      (n % 8 == 0 ? 8 : 4);
+#elif defined(__AVX__)
+      4;
+#else
+      2;
+#endif
+    static constexpr int n_pieces = n / n_each;
+    typedef double Piece __attribute__((vector_size(n_each * sizeof(double))));
 
-  template <>
-  struct VectorOfDoubles<8>
-  {
-    typedef double type __attribute__((vector_size(8 * sizeof(double))));
+    Piece pieces[n_pieces];
+
+  public:
+    static DerivativeVector
+    zero()
+    {
+      DerivativeVector result;
+      for (Piece &piece : result.pieces)
+        piece = Piece{};
+      return result;
+    }
+
+    double
+    operator[](const unsigned int i) const
+    {
+      return pieces[i / n_each][i % n_each];
+    }
+
+    void
+    set(const unsigned int i, const double value)
+    {
+      pieces[i / n_each][i % n_each] = value;
+    }
+
+    DerivativeVector &
+    operator+=(const DerivativeVector &b)
+    {
+      return *this = *this + b;
+    }
+
+    friend DerivativeVector
+    operator+(const DerivativeVector &a, const DerivativeVector &b)
+    {
+      DerivativeVector result;
+      for (int i = 0; i < n_pieces; ++i)
+        result.pieces[i] = a.pieces[i] + b.pieces[i];
+      return result;
+    }
+
+    friend DerivativeVector
+    operator-(const DerivativeVector &a, const DerivativeVector &b)
+    {
+      DerivativeVector result;
+      for (int i = 0; i < n_pieces; ++i)
+        result.pieces[i] = a.pieces[i] - b.pieces[i];
+      return result;
+    }
+
+    friend DerivativeVector
+    operator-(const DerivativeVector &a)
+    {
+      DerivativeVector result;
+      for (int i = 0; i < n_pieces; ++i)
+        result.pieces[i] = -a.pieces[i];
+      return result;
+    }
+
+    friend DerivativeVector
+    operator*(const DerivativeVector &a, const double factor)
+    {
+      DerivativeVector result;
+      for (int i = 0; i < n_pieces; ++i)
+        result.pieces[i] = a.pieces[i] * factor;
+      return result;
+    }
+
+    friend DerivativeVector
+    operator*(const double factor, const DerivativeVector &a)
+    {
+      return a * factor;
+    }
   };
 
 
 
   /**
    * A number that carries its derivatives with respect to n inputs (forward
-   * mode differentiation). The derivatives are one vector of the compiler's
-   * own, so that every operation is a handful of vector instructions: n is 8
-   * for the 7 increments of a micropolar continuum in plane strain and 4 for
-   * those of a classical one.
+   * mode differentiation). Every operation on the derivatives is a handful of
+   * vector instructions: n is 8 for the 7 increments of a micropolar continuum
+   * in plane strain and 4 for those of a classical one.
    *
    * There are no comparisons on purpose: decisions are made on value_of().
    */
   template <int n>
   struct Forward
   {
-    using Lanes = typename VectorOfDoubles<n>::type;
-
-    double value;
-    Lanes  derivatives;
+    double              value;
+    DerivativeVector<n> derivatives;
 
     Forward() = default;
 
     /// A constant. Implicit, because constants mix freely with numbers.
     Forward(const double value)
       : value(value)
-      , derivatives(Lanes{})
+      , derivatives(DerivativeVector<n>::zero())
     {}
 
-    Forward(const double value, const Lanes &derivatives)
+    Forward(const double value, const DerivativeVector<n> &derivatives)
       : value(value)
       , derivatives(derivatives)
     {}
@@ -59,7 +131,7 @@ namespace Riedel::Continuum
     input(const double value, const unsigned int place)
     {
       Forward result(value);
-      result.derivatives[place] = 1.;
+      result.derivatives.set(place, 1.);
       return result;
     }
 

@@ -17,6 +17,22 @@
 
 namespace Riedel::Continuum
 {
+  /// n doubles as one vector of the compiler's own; n is 4 or 8.
+  template <int n>
+  struct VectorOfDoubles;
+
+  template <>
+  struct VectorOfDoubles<4>
+  {
+    typedef double type __attribute__((vector_size(4 * sizeof(double))));
+  };
+
+  template <>
+  struct VectorOfDoubles<8>
+  {
+    typedef double type __attribute__((vector_size(8 * sizeof(double))));
+  };
+
   /// n whole numbers as wide as a double, for the bits of n doubles.
   template <int n>
   struct VectorOfBits;
