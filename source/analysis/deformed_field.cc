@@ -33,26 +33,40 @@ namespace Riedel::Analysis
     const unsigned int    n  = fe.degree;
     const dealii::FE_Q<2> geometry(1);
 
+    // Shape functions at the nodes of the triangles, the same in every cell.
+    struct Place
+    {
+      std::vector<double> vertices, shapes;
+    };
+    std::vector<Place> places;
+    for (unsigned int j = 0; j <= n; ++j)
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const dealii::Point<2> at(double(i) / n, double(j) / n);
+          places.emplace_back();
+          for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
+            places.back().vertices.push_back(geometry.shape_value(v, at));
+          for (unsigned int k = 0; k < fe.n_dofs_per_cell(); ++k)
+            places.back().shapes.push_back(fe.shape_value(k, at));
+        }
+
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<Node>                            nodes;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
-          for (unsigned int j = 0; j <= n; ++j)
-            for (unsigned int i = 0; i <= n; ++i)
-              {
-                const dealii::Point<2> place(double(i) / n, double(j) / n);
-                double                 value[3] = {0.0, 0.0, 0.0};
-                for (const unsigned int v : cell->vertex_indices())
-                  for (unsigned int d = 0; d < 2; ++d)
-                    value[d] +=
-                      geometry.shape_value(v, place) * cell->vertex(v)[d];
-                for (unsigned int k = 0; k < dofs.size(); ++k)
-                  value[fe.system_to_component_index(k).first] +=
-                    fe.shape_value(k, place) * solution[space.local(dofs[k])];
-                nodes.push_back({value[0], value[1], value[2]});
-              }
+          for (const Place &place : places)
+            {
+              double value[3] = {0.0, 0.0, 0.0};
+              for (const unsigned int v : cell->vertex_indices())
+                for (unsigned int d = 0; d < 2; ++d)
+                  value[d] += place.vertices[v] * cell->vertex(v)[d];
+              for (unsigned int k = 0; k < dofs.size(); ++k)
+                value[fe.system_to_component_index(k).first] +=
+                  place.shapes[k] * solution[space.local(dofs[k])];
+              nodes.push_back({value[0], value[1], value[2]});
+            }
         }
 
     const auto         &place      = points.place;

@@ -369,11 +369,11 @@ namespace Riedel::Equilibrium
                       Patterns::Integer(1),
                       "A step that needs more iterations is cut.");
     prm.declare_entry("Target iterations",
-                      "4",
+                      "5",
                       Patterns::Integer(1),
                       "The step size is adapted to this number of iterations.");
     prm.declare_entry("Refactor after",
-                      "8",
+                      "12",
                       Patterns::Integer(1),
                       "Iterations with one factor in one step, for "
                       "accelerated.");

@@ -187,7 +187,7 @@ namespace Riedel::Equilibrium
               }
 
             const bool slow = with_this_factor >= parameters.refactor_after ||
-                              (with_this_factor >= 2 &&
+                              (with_this_factor >= 3 &&
                                now > parameters.slow_contraction * before);
             if (factor_is_stale || slow || !balance.has_factors())
               {

@@ -129,9 +129,9 @@ namespace Riedel::Equilibrium
     /// iterations after which a step is cut
     unsigned int most_iterations = 25;
     /// number of iterations the step size is adapted to
-    unsigned int target_iterations = 4;
+    unsigned int target_iterations = 5;
     /// refactor after so many iterations with one factor in one step
-    unsigned int refactor_after = 8;
+    unsigned int refactor_after = 12;
     /// refactor if residuals shrink more slowly than by this factor
     double slow_contraction = 0.6;
     /// secant pairs kept by the acceleration; 0: modified Newton
