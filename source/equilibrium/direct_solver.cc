@@ -42,7 +42,7 @@ namespace Riedel::Equilibrium
         problem.SetLHS(&solution);
         solver = std::make_unique<Amesos_Mumps>(problem);
         // scaling by the diagonal: the iterated scaling that MUMPS would choose
-        // costs a seventh of a factorisation
+        // takes a good part of a factorisation and gains nothing here
         solver->SetICNTL(8, 1);
       }
 
