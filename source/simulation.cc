@@ -149,21 +149,8 @@ namespace Riedel
     const double step = steps.next(load, next_mark(scene.output.fields_every));
     balance->begin_step(relevant_solution, load + step);
 
-    outcome        = Equilibrium::Outcome();
-    bool has_guess = true;
-    if (extrapolation.is_possible())
-      {
-        extrapolation.predict(step, increment);
-        balance->impose(increment);
-      }
-    else
-      {
-        outcome.residual = balance->predict_with_tangent(increment);
-        has_guess        = !outcome.residual.refused;
-        if (!has_guess)
-          outcome.failure = balance->describe_refusal(outcome.residual);
-      }
-    if (has_guess)
+    outcome = first_guess(step);
+    if (outcome.failure.empty())
       outcome = scheme->solve(*balance, increment, steps.is_last_chance());
     if (outcome.converged)
       return true;
@@ -209,7 +196,6 @@ namespace Riedel
     guess.residual = balance->predict_with_tangent(increment);
     if (guess.residual.refused)
       guess.failure = balance->describe_refusal(guess.residual);
-    scheme->distrust();
     return guess;
   }
 

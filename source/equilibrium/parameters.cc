@@ -377,11 +377,12 @@ namespace Riedel::Equilibrium
                       Patterns::Integer(1),
                       "Iterations with one factor in one step, for "
                       "accelerated.");
-    prm.declare_entry("Slow contraction",
-                      "0.6",
-                      Patterns::Double(0, 1),
-                      "A new factor is made if the residual does not shrink "
-                      "by this factor per iteration, for accelerated.");
+    prm.declare_entry("Patience",
+                      "8",
+                      Patterns::Double(0),
+                      "A new factor is made if, at the last rate of "
+                      "convergence, more than this number of further "
+                      "iterations would be needed, for accelerated.");
     prm.declare_entry("Secant pairs",
                       "10",
                       Patterns::Integer(0, 100),
@@ -408,7 +409,7 @@ namespace Riedel::Equilibrium
     most_iterations   = prm.get_integer("Most iterations");
     target_iterations = prm.get_integer("Target iterations");
     refactor_after    = prm.get_integer("Refactor after");
-    slow_contraction  = prm.get_double("Slow contraction");
+    patience          = prm.get_double("Patience");
     secant_pairs      = prm.get_integer("Secant pairs");
     prm.leave_subsection();
   }

@@ -2,6 +2,8 @@
 #include <riedel/equilibrium/anderson.h>
 #include <riedel/equilibrium/scheme.h>
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Riedel::Equilibrium
@@ -186,10 +188,11 @@ namespace Riedel::Equilibrium
                 return outcome;
               }
 
-            const bool slow = with_this_factor >= parameters.refactor_after ||
-                              (with_this_factor >= 3 &&
-                               now > parameters.slow_contraction * before);
-            if (factor_is_stale || slow || !balance.has_factors())
+            const bool is_slow =
+              with_this_factor >= parameters.refactor_after ||
+              (with_this_factor >= 3 &&
+               further_iterations(before, now) > parameters.patience);
+            if (factor_is_stale || is_slow || !balance.has_factors())
               {
                 outcome.residual = balance.linearise(du, r);
                 if (outcome.residual.refused)
@@ -206,6 +209,15 @@ namespace Riedel::Equilibrium
             ++outcome.iterations;
             ++with_this_factor;
           }
+      }
+
+      /// Iterations to the allowed residual if each reduces it like the last.
+      double
+      further_iterations(const double before, const double now) const
+      {
+        return now < before ?
+                 std::log(now / parameters.residual) / std::log(before / now) :
+                 std::numeric_limits<double>::infinity();
       }
 
       const SolverParameters parameters;

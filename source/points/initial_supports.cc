@@ -11,6 +11,20 @@ namespace Riedel::Points
 {
   namespace
   {
+    /// result += factor * vector. The arrays do not overlap: the compiler may
+    /// compute several entries at once.
+    inline void
+    add(const std::size_t n,
+        const double      factor,
+        const double *__restrict vector,
+        double *__restrict result)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        result[i] += factor * vector[i];
+    }
+
+
+
     /// F = I + sum_a U_a x grad N_a from a patch's displacements.
     template <int dim>
     dealii::Tensor<2, dim>
@@ -37,18 +51,17 @@ namespace Riedel::Points
     void
     push_forward(const dealii::Tensor<2, dim> &F,
                  const unsigned int            n_nodes,
-                 const double                 *undeformed,
-                 double                       *gradient)
+                 const double *__restrict undeformed,
+                 double *__restrict gradient)
     {
       const dealii::Tensor<2, dim> inverse = invert(F);
+      std::fill_n(gradient, dim * n_nodes, 0.0);
       for (unsigned int j = 0; j < dim; ++j)
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            double sum = 0.0;
-            for (unsigned int k = 0; k < dim; ++k)
-              sum += inverse[k][j] * undeformed[k * n_nodes + a];
-            gradient[j * n_nodes + a] = sum;
-          }
+        for (unsigned int k = 0; k < dim; ++k)
+          add(n_nodes,
+              inverse[k][j],
+              undeformed + k * n_nodes,
+              gradient + j * n_nodes);
     }
 
 
@@ -57,8 +70,8 @@ namespace Riedel::Points
     void
     blend(const std::size_t n,
           const double      share,
-          const double     *other,
-          double           *result)
+          const double *__restrict other,
+          double *__restrict result)
     {
       for (std::size_t i = 0; i < n; ++i)
         result[i] = (1.0 - share) * other[i] + share * result[i];
@@ -304,6 +317,12 @@ namespace Riedel::Points
       for (unsigned int i = 0; i < dim * n; ++i)
         nodal[i] = solution[result.dofs[some.first_dof + i]];
 
+    const bool at_samples =
+      parameters.sampling == Grid::StrainSampling::assumed &&
+      parameters.displacement_degree == 2;
+    const bool means_needed =
+      !at_samples && parameters.sampling != Grid::StrainSampling::full;
+
     // The points' own rows, their volumes, and the mean of the rows (later: the
     // sampled rows of a point).
     double              cell_volume = 0.0;
@@ -320,7 +339,11 @@ namespace Riedel::Points
             const dealii::Tensor<2, dim> F =
               deformation_gradient<dim>(n, nodal.data(), &own.gradient[u]);
             push_forward(F, n, &own.gradient[u], &result.gradient[u]);
-            if (nw > 0)
+            if (nw == n) // of equal degree: the same shape functions
+              std::copy_n(&result.gradient[u],
+                          dim * n,
+                          &result.curvature_gradient[dim * w]);
+            else if (nw > 0)
               push_forward(F,
                            nw,
                            &own.rotation_gradient[dim * w],
@@ -332,10 +355,11 @@ namespace Riedel::Points
             row[points.place.volume] = V;
 
             cell_volume += V;
-            for (unsigned int i = 0; i < dim * n; ++i)
-              mean[i] += V * result.gradient[u + i];
-            for (unsigned int a = 0; a < nw; ++a)
-              mean_weight[a] += V * own.rotation_weight[w + a];
+            if (means_needed)
+              {
+                add(dim * n, V, &result.gradient[u], mean.data());
+                add(nw, V, &own.rotation_weight[w], mean_weight.data());
+              }
           }
       }
     if (parameters.sampling == Grid::StrainSampling::full)
@@ -346,9 +370,6 @@ namespace Riedel::Points
       value /= cell_volume;
 
     // Rows at the sampling points of a biquadratic cell.
-    const bool at_samples =
-      parameters.sampling == Grid::StrainSampling::assumed &&
-      parameters.displacement_degree == 2;
     std::vector<double> sample_gradient;
     if (at_samples)
       {
@@ -388,12 +409,14 @@ namespace Riedel::Points
                     const double share =
                       interpolation[(patch.first_point + q) * sampling.size() +
                                     s];
-                    for (unsigned int i = 0; i < dim * n; ++i)
-                      mean[i] += share * sample_gradient[s * dim * n + i];
-                    for (unsigned int a = 0; a < nw; ++a)
-                      mean_weight[a] +=
-                        share *
-                        sampled.rotation_weight[cell.first_sample + s * nw + a];
+                    add(dim * n,
+                        share,
+                        &sample_gradient[s * dim * n],
+                        mean.data());
+                    add(nw,
+                        share,
+                        &sampled.rotation_weight[cell.first_sample + s * nw],
+                        mean_weight.data());
                   }
               }
             const double share = parameters.own_strain_fraction;

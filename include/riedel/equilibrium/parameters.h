@@ -132,8 +132,9 @@ namespace Riedel::Equilibrium
     unsigned int target_iterations = 5;
     /// refactor after so many iterations with one factor in one step
     unsigned int refactor_after = 12;
-    /// refactor if residuals shrink more slowly than by this factor
-    double slow_contraction = 0.6;
+    /// refactor if more further iterations would be needed at the last rate of
+    /// convergence
+    double patience = 8.0;
     /// secant pairs kept by the acceleration; 0: modified Newton
     unsigned int secant_pairs = 10;
 
