@@ -40,11 +40,16 @@ namespace Riedel
     , wall_start(std::chrono::steady_clock::now())
     , body(communicator, scene.geometry, scene.grid)
     , space(body.triangulation(), scene.grid, scene.materials.is_micropolar())
-    , points(body.triangulation(), scene.materials)
-    , supports(
+    , points(body.triangulation(),
+             scene.materials,
+             scene.grid.configuration == Grid::ReferenceConfiguration::current ?
+               &scene.moving_points :
+               nullptr)
+    , supports(Points::SupportBuilder<dim>::create(
         space,
         scene.grid,
-        !scene.materials.materials.front().law->is_geometrically_linear())
+        scene.moving_points,
+        !scene.materials.materials.front().law->is_geometrically_linear()))
     , steps(scene.loading, scene.solver)
     , extrapolation(
         scene.solver.predictor == Equilibrium::Predictor::previous ||
@@ -98,11 +103,12 @@ namespace Riedel
   Simulation<dim>::start()
   {
     auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
-    points.seed(supports.quadrature(), scene.initial_state, body.extent());
-    supports.rebuild(points);
+    if (points.are_moving())
+      space.set_frame(Grid::Frame<dim>(body.grid_extent()));
+    points.seed(supports->quadrature(), scene.initial_state, body.extent());
     solution = space.owned_vector();
     space.gather(solution, relevant_solution);
-    supports.update(relevant_solution, points);
+    supports->rebuild(relevant_solution, points);
     balance =
       std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
                                                   scene.loading,
@@ -110,7 +116,7 @@ namespace Riedel
                                                   body,
                                                   space,
                                                   points,
-                                                  supports.supports(),
+                                                  supports->supports(),
                                                   timer);
     scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
     increment = space.owned_vector();
@@ -118,7 +124,7 @@ namespace Riedel
 
     // How far the initial state is from balance under the initial loads.
     LinearAlgebra::Vector r = space.owned_vector();
-    balance->begin_step(relevant_solution, 0.0);
+    balance->begin_step(relevant_solution, 0.0, 0.0);
     outcome.residual = balance->residual(increment, r);
     forces_before    = balance->external_forces();
 
@@ -147,7 +153,10 @@ namespace Riedel
   Simulation<dim>::solve_step()
   {
     const double step = steps.next(load, next_mark(scene.output.fields_every));
-    balance->begin_step(relevant_solution, load + step);
+    balance->begin_step(relevant_solution,
+                        load,
+                        load + step,
+                        steps.share_of_uncut());
 
     outcome = first_guess(step);
     if (outcome.failure.empty())
@@ -218,10 +227,21 @@ namespace Riedel
     n_floored_points += outcome.residual.sweep.total.floored;
     n_clamped_points += outcome.residual.sweep.total.clamped;
 
-    solution += increment;
-    space.gather(solution, relevant_solution);
-    points.accept();
-    supports.update(relevant_solution, points);
+    std::vector<double> du;
+    space.gather(increment, du);
+    if (points.are_moving())
+      space.set_frame(balance->walls(load));
+    else
+      {
+        solution += increment;
+        space.gather(solution, relevant_solution);
+      }
+    supports->accept(relevant_solution,
+                     du,
+                     balance->point_increments(),
+                     points);
+    if (points.are_moving())
+      balance->supports_changed();
   }
 
 

@@ -15,8 +15,8 @@
 #include <riedel/output/rows.h>
 #include <riedel/output/table.h>
 #include <riedel/output/watch.h>
-#include <riedel/points/initial_supports.h>
 #include <riedel/points/material_points.h>
+#include <riedel/points/support_builder.h>
 #include <riedel/scene/scene.h>
 #include <riedel/timer.h>
 
@@ -75,15 +75,15 @@ namespace Riedel
     Timer                                       timer;
     const std::chrono::steady_clock::time_point wall_start;
 
-    Grid::Body<dim>                            body;
-    Grid::Space<dim>                           space;
-    Points::MaterialPoints<dim>                points;
-    Points::InitialSupports<dim>               supports;
-    std::unique_ptr<Equilibrium::Balance<dim>> balance;
-    std::unique_ptr<Equilibrium::Scheme<dim>>  scheme;
-    Equilibrium::StepControl                   steps;
-    Equilibrium::Extrapolation                 extrapolation;
-    Analysis::BoundaryAverages<dim>            averages;
+    Grid::Body<dim>                              body;
+    Grid::Space<dim>                             space;
+    Points::MaterialPoints<dim>                  points;
+    std::unique_ptr<Points::SupportBuilder<dim>> supports;
+    std::unique_ptr<Equilibrium::Balance<dim>>   balance;
+    std::unique_ptr<Equilibrium::Scheme<dim>>    scheme;
+    Equilibrium::StepControl                     steps;
+    Equilibrium::Extrapolation                   extrapolation;
+    Analysis::BoundaryAverages<dim>              averages;
 
     Output::Log         log;
     Output::Table       history;

@@ -61,12 +61,13 @@ namespace Riedel::Equilibrium
     : boundary_parameters(&boundary_parameters)
     , loading(&loading)
     , parameters(&solver_parameters)
+    , body(&body)
     , space(&space)
     , points(&points)
     , supports(&supports)
     , timer(&timer)
     , conditions(boundary_parameters, body, space)
-    , loads(boundary_parameters, loading, body, space)
+    , loads(boundary_parameters, loading, body, space, !points.are_moving())
     , virtual_stress(boundary_parameters)
     , assembly(points, supports, virtual_stress)
     , length(0.0)
@@ -76,33 +77,10 @@ namespace Riedel::Equilibrium
     if (length == 0.0)
       length = 1.0; // no rotations, or a law without bending stiffness
 
-    // Dofs of prescribed values keep their diagonal entry.
-    LinearAlgebra::SparsityPattern               pattern(space.owned(),
-                                           space.owned(),
-                                           space.relevant(),
-                                           space.communicator());
-    std::vector<dealii::types::global_dof_index> dofs;
-    for (const auto &patch : supports.patches)
-      {
-        dofs.assign(supports.global_dofs.begin() + patch.first_dof,
-                    supports.global_dofs.begin() + patch.first_dof +
-                      patch.n_dofs);
-        conditions.homogeneous().add_entries_local_to_global(dofs,
-                                                             pattern,
-                                                             false);
-      }
-    pattern.compress();
-    matrix.reinit(pattern);
-    solver = DirectSolver::create(solver_parameters.solver, matrix);
-
     external        = space.owned_vector();
     reaction        = space.owned_vector();
     squared_lengths = space.owned_vector();
-    is_prescribed.assign(space.owned().n_elements(), false);
     is_rotation.assign(space.owned().n_elements(), false);
-    for (const auto &dof : conditions.prescribed())
-      if (dof.owned)
-        is_prescribed[space.owned_place(dof.dof)] = true;
     for (unsigned int i = 0; i < is_rotation.size(); ++i)
       {
         const unsigned int local =
@@ -110,22 +88,131 @@ namespace Riedel::Equilibrium
         is_rotation[i]             = space.components()[local] >= dim;
         squared_lengths.begin()[i] = is_rotation[i] ? length * length : 1.0;
       }
+    supports_changed();
   }
 
 
 
   template <int dim>
   void
-  Balance<dim>::begin_step(const std::vector<double> &u, const double s)
+  Balance<dim>::supports_changed()
+  {
+    has_matrix = false;
+    assembly.resize();
+    conditions.set_unseen(supports->unseen_dofs);
+    is_prescribed.assign(space->owned().n_elements(), false);
+    for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
+      if (conditions.is_fixed()[i] &&
+          space->owned().is_element(space->relevant().nth_index_in_set(i)))
+        is_prescribed[space->owned_place(i)] = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::make_matrix()
+  {
+    // Dofs of prescribed values keep their diagonal entry.
+    LinearAlgebra::SparsityPattern               pattern(space->owned(),
+                                           space->owned(),
+                                           space->relevant(),
+                                           space->communicator());
+    std::vector<dealii::types::global_dof_index> dofs;
+    for (const auto &patch : supports->patches)
+      {
+        dofs.assign(supports->global_dofs.begin() + patch.first_dof,
+                    supports->global_dofs.begin() + patch.first_dof +
+                      patch.n_dofs);
+        conditions.homogeneous().add_entries_local_to_global(dofs,
+                                                             pattern,
+                                                             false);
+      }
+    // Fixed dofs that no point sees have no other entry.
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      if (is_prescribed[i])
+        {
+          const auto dof = space->owned().nth_index_in_set(i);
+          pattern.add(dof, dof);
+        }
+    pattern.compress();
+    solver.reset();
+    matrix.reinit(pattern);
+    solver     = DirectSolver::create(parameters->solver, matrix);
+    has_matrix = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::begin_step(const std::vector<double> &u,
+                           const double               from,
+                           const double               to,
+                           const double               release)
   {
     start = u;
     assembly.begin_step();
-    load = s;
+    held.clear();
+    const auto set_load = [&](const double s) {
+      load = s;
+      body_forces.assign(start.size(), 0.0);
+      loads.add_body_forces(*supports, *points, load, body_forces);
+      if (points->are_moving())
+        find_extent();
+    };
+    if (points->are_moving() && release < 1.0)
+      {
+        set_load(from);
+        const LinearAlgebra::Vector zero      = space->owned_vector();
+        LinearAlgebra::Vector       imbalance = space->owned_vector();
+        residual(zero, imbalance);
+        imbalance *= 1.0 - release;
+        held = imbalance;
+      }
+
+    set_load(to);
     prescribed.assign(start.size(), 0.0);
     for (const auto &dof : conditions.prescribed())
-      prescribed[dof.dof] = conditions.value(dof, s) - start[dof.dof];
-    body_forces.assign(start.size(), 0.0);
-    loads.add_body_forces(*supports, *points, load, body_forces);
+      prescribed[dof.dof] =
+        conditions.value(dof, to) -
+        (points->are_moving() ? conditions.value(dof, from) : start[dof.dof]);
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::find_extent()
+  {
+    std::vector<double> lower(dim, std::numeric_limits<double>::max());
+    std::vector<double> minus_upper = lower;
+    for (unsigned int p = 0; p < points->n_points(); ++p)
+      {
+        const auto x = points->position(p);
+        const auto l = points->half_lengths(points->row(p));
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            lower[d]       = std::min(lower[d], x[d] - l[d]);
+            minus_upper[d] = std::min(minus_upper[d], -(x[d] + l[d]));
+          }
+      }
+    const MPI_Comm      communicator = space->communicator();
+    std::vector<double> all_lower(dim), all_minus_upper(dim);
+    dealii::Utilities::MPI::min(lower, communicator, all_lower);
+    dealii::Utilities::MPI::min(minus_upper, communicator, all_minus_upper);
+    dealii::Point<dim> a, b;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        a[d] = all_lower[d];
+        b[d] = -all_minus_upper[d];
+      }
+    // between walls the body is where they will be at the end of the step
+    const auto frame = conditions.walls(load);
+    loads.set_extent(body->extent(),
+                     dealii::BoundingBox<dim>(std::make_pair(
+                       frame.to_space(space->frame().to_grid(a)),
+                       frame.to_space(space->frame().to_grid(b)))));
   }
 
 
@@ -202,10 +289,19 @@ namespace Riedel::Equilibrium
     Residual result;
     {
       const Timer::Scope scope(*timer, "assembly of the stiffness");
+      if (!has_matrix)
+        make_matrix();
       matrix          = 0.0;
       right_hand_side = 0.0;
       result          = evaluate(du, r, &constraints, &right_hand_side);
       matrix.compress(dealii::VectorOperation::add);
+      for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+        {
+          const auto dof = space->owned().nth_index_in_set(i);
+          if (is_prescribed[i] && matrix.diag_element(dof) == 0.0)
+            matrix.set(dof, dof, 1.0);
+        }
+      matrix.compress(dealii::VectorOperation::insert);
       right_hand_side.compress(dealii::VectorOperation::add);
     }
     if (!result.refused)
@@ -298,15 +394,14 @@ namespace Riedel::Equilibrium
     internal.assign(increment.size(), 0.0);
     virtual_forces.assign(increment.size(), 0.0);
     Residual result;
-    result.sweep =
-      with_matrix ? assembly.forces_and_stiffness(start,
-                                                  increment,
-                                                  *constraints,
-                                                  internal,
-                                                  virtual_forces,
-                                                  matrix,
-                                                  *right_hand_side) :
-                    assembly.forces(start, increment, internal, virtual_forces);
+    result.sweep = with_matrix ?
+                     assembly.forces_and_stiffness(increment,
+                                                   *constraints,
+                                                   internal,
+                                                   virtual_forces,
+                                                   matrix,
+                                                   *right_hand_side) :
+                     assembly.forces(increment, internal, virtual_forces);
 
     // Forces at hanging nodes go to their masters.
     for (const auto &line : space->hanging_nodes().get_lines())
@@ -333,9 +428,10 @@ namespace Riedel::Equilibrium
         external += virtual_vector;
       }
 
-    double *out          = external.begin();
-    double *r_out        = r.begin();
-    double *reaction_out = reaction.begin();
+    double       *out            = external.begin();
+    double       *r_out          = r.begin();
+    double       *reaction_out   = reaction.begin();
+    const double *held_imbalance = held.size() > 0 ? held.begin() : nullptr;
     // squares: free forces, free moments, reactions, loads; counts of points
     std::vector<double> sums(9, 0.0);
     for (unsigned int i = 0; i < is_prescribed.size(); ++i)
@@ -351,6 +447,8 @@ namespace Riedel::Equilibrium
         else
           {
             r_out[i] -= out[i];
+            if (held_imbalance != nullptr)
+              r_out[i] -= held_imbalance[i];
             reaction_out[i] = 0.0;
             sums[is_rotation[i] ? 1 : 0] += scale * r_out[i] * r_out[i];
           }

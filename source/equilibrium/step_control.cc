@@ -17,6 +17,8 @@ namespace Riedel::Equilibrium
       last = rest;
     else if (!fixed && rest < 2.0 * size)
       last = 0.5 * rest;
+    if (failures_in_a_row == 0)
+      uncut = last;
     return last;
   }
 

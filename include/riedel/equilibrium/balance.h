@@ -50,10 +50,41 @@ namespace Riedel::Equilibrium
             const Points::Supports<dim>            &supports,
             Timer                                  &timer);
 
-    /// Starts a step from the displacement @p u (relevant dofs by local number)
-    /// to the load parameter @p s.
+    /// To be called when the supports have changed: points have moved.
     void
-    begin_step(const std::vector<double> &u, const double s);
+    supports_changed();
+
+    /// Starts a step from the displacement @p u (relevant dofs by local
+    /// number) and the load parameter @p from to @p to. In the configuration
+    /// "current" @p u is zero, and a step that is only the share @p release of
+    /// one that could not be solved takes back only this share of the imbalance
+    /// that points leave by moving (doc/theory/material_points.md).
+    void
+    begin_step(const std::vector<double> &u,
+               const double               from,
+               const double               to,
+               const double               release = 1.0);
+
+    /// Where the walls of the grid are at a load parameter.
+    Grid::Frame<dim>
+    walls(const double s) const
+    {
+      return conditions.walls(s);
+    }
+
+    /// Dofs without increments of their own: prescribed or seen by no point.
+    const std::vector<bool> &
+    is_fixed() const
+    {
+      return conditions.is_fixed();
+    }
+
+    /// Generalised increments of the points after the last sweep.
+    const std::vector<double> &
+    point_increments() const
+    {
+      return assembly.point_increments();
+    }
 
     /// A vector of increments, zero.
     LinearAlgebra::Vector
@@ -145,6 +176,12 @@ namespace Riedel::Equilibrium
     std::uint64_t n_factorisations = 0;
 
   private:
+    void
+    make_matrix();
+
+    void
+    find_extent();
+
     /// Stiffness under @p constraints at @p du, and its factors.
     Residual
     factorise_at(const LinearAlgebra::Vector             &du,
@@ -161,6 +198,7 @@ namespace Riedel::Equilibrium
     const BoundaryConditionParameters<dim> *boundary_parameters;
     const LoadingParameters<dim>           *loading;
     const SolverParameters                 *parameters;
+    const Grid::Body<dim>                  *body;
     const Grid::Space<dim>                 *space;
     Points::MaterialPoints<dim>            *points;
     const Points::Supports<dim>            *supports;
@@ -175,6 +213,8 @@ namespace Riedel::Equilibrium
     LinearAlgebra::SparseMatrix   matrix;
     std::unique_ptr<DirectSolver> solver;
     bool                          factorised = false;
+    /// does the matrix have the entries of the present supports?
+    bool has_matrix = false;
     /// norm of the diagonal of the displacements' stiffness
     double stiffness_norm = 0.0;
 
@@ -187,8 +227,10 @@ namespace Riedel::Equilibrium
     /// nodal forces of the last sweep, relevant dofs
     std::vector<double>   increment, internal, applied, virtual_forces;
     LinearAlgebra::Vector external, reaction, squared_lengths;
-    std::vector<bool>     is_prescribed;                ///< by owned place
-    std::vector<bool>     is_rotation;                  ///< by owned place
-    std::vector<typename Loads<dim>::Surface> surfaces; ///< all ranks
+    /// imbalance that is not released yet; empty if it all is
+    LinearAlgebra::Vector                     held;
+    std::vector<bool>                         is_prescribed; ///< by owned place
+    std::vector<bool>                         is_rotation;   ///< by owned place
+    std::vector<typename Loads<dim>::Surface> surfaces;      ///< all ranks
   };
 } // namespace Riedel::Equilibrium

@@ -42,6 +42,14 @@ namespace Riedel::Equilibrium
       return fixed || failures_in_a_row >= 2 || 0.5 * last < smallest;
     }
 
+    /// The size of the step last tried over that of the first try from the
+    /// same state: less than 1 after cuts.
+    double
+    share_of_uncut() const
+    {
+      return failures_in_a_row == 0 ? 1.0 : last / uncut;
+    }
+
     /// The step that was last tried.
     double
     tried() const
@@ -62,6 +70,7 @@ namespace Riedel::Equilibrium
     const unsigned int target_iterations;
     double             size;
     double             last              = 0.0;
+    double             uncut             = 0.0; ///< first try from this state
     unsigned int       cuts              = 0;
     unsigned int       failures_in_a_row = 0;
   };
