@@ -76,6 +76,9 @@ namespace Riedel::Equilibrium
       length = std::max(length, material.law->length());
     if (length == 0.0)
       length = 1.0; // no rotations, or a law without bending stiffness
+    if (points.are_moving())
+      stabilisation = std::make_unique<SurfaceStabilisation<dim>>(
+        space, points.moving_parameters().surface_stabilisation, length);
 
     external        = space.owned_vector();
     reaction        = space.owned_vector();
@@ -100,6 +103,8 @@ namespace Riedel::Equilibrium
     has_matrix = false;
     assembly.resize();
     conditions.set_unseen(supports->unseen_dofs);
+    if (stabilisation)
+      stabilisation->rebuild(*points, *supports);
     is_prescribed.assign(space->owned().n_elements(), false);
     for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
       if (conditions.is_fixed()[i] &&
@@ -128,6 +133,11 @@ namespace Riedel::Equilibrium
                                                              pattern,
                                                              false);
       }
+    if (stabilisation)
+      for (const auto &coupled : stabilisation->couplings())
+        conditions.homogeneous().add_entries_local_to_global(coupled,
+                                                             pattern,
+                                                             false);
     // Fixed dofs that no point sees have no other entry.
     for (unsigned int i = 0; i < is_prescribed.size(); ++i)
       if (is_prescribed[i])
@@ -402,6 +412,13 @@ namespace Riedel::Equilibrium
                                                    matrix,
                                                    *right_hand_side) :
                      assembly.forces(increment, internal, virtual_forces);
+
+    if (stabilisation)
+      {
+        stabilisation->add_forces(increment, internal);
+        if (with_matrix)
+          stabilisation->add_stiffness(add_matrix);
+      }
 
     // Forces at hanging nodes go to their masters.
     for (const auto &line : space->hanging_nodes().get_lines())

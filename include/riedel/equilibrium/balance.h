@@ -6,6 +6,7 @@
 #include <riedel/equilibrium/direct_solver.h>
 #include <riedel/equilibrium/loads.h>
 #include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/surface_stabilisation.h>
 #include <riedel/equilibrium/virtual_stress.h>
 #include <riedel/grid/body.h>
 #include <riedel/grid/space.h>
@@ -207,6 +208,8 @@ namespace Riedel::Equilibrium
     BoundaryConditions<dim> conditions;
     Loads<dim>              loads;
     VirtualStress<dim>      virtual_stress;
+    /// of points that move; else empty
+    std::unique_ptr<SurfaceStabilisation<dim>> stabilisation;
     Assembly<dim>           assembly;
 
     double                        length; ///< divides moments

@@ -62,6 +62,13 @@ namespace Riedel::Points
              !laws->materials.front().law->is_geometrically_linear();
     }
 
+    /// Only for points of the configuration "current".
+    const MovingPointsParameters &
+    moving_parameters() const
+    {
+      return *moving;
+    }
+
     /// Puts a point on every quadrature point of every cell of the @p body,
     /// with its initial state. Throws InputError for a point that no material
     /// claims.
