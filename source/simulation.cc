@@ -50,7 +50,7 @@ namespace Riedel
         scene.grid,
         scene.moving_points,
         !scene.materials.materials.front().law->is_geometrically_linear()))
-    , steps(scene.loading, scene.solver)
+    , steps(scene.loading, scene.solver, points.are_moving())
     , extrapolation(
         scene.solver.predictor == Equilibrium::Predictor::previous ||
             (scene.solver.predictor == Equilibrium::Predictor::automatic &&
@@ -220,6 +220,10 @@ namespace Riedel
     forces_before = balance->external_forces();
     stress_work += balance->stress_work();
 
+    std::vector<double> du;
+    space.gather(increment, du);
+    if (points.are_moving())
+      balance->continue_to_unseen(increment);
     extrapolation.accept(steps.tried(), increment);
     steps.succeeded(outcome.iterations);
     load += steps.tried();
@@ -227,8 +231,6 @@ namespace Riedel
     n_floored_points += outcome.residual.sweep.total.floored;
     n_clamped_points += outcome.residual.sweep.total.clamped;
 
-    std::vector<double> du;
-    space.gather(increment, du);
     if (points.are_moving())
       space.set_frame(balance->walls(load));
     else
@@ -240,8 +242,8 @@ namespace Riedel
                      du,
                      balance->point_increments(),
                      points);
-    if (points.are_moving())
-      balance->supports_changed();
+    if (points.are_moving() && balance->supports_changed())
+      scheme->distrust();
   }
 
 

@@ -97,10 +97,11 @@ namespace Riedel::Equilibrium
 
 
   template <int dim>
-  void
+  bool
   Balance<dim>::supports_changed()
   {
-    has_matrix = false;
+    const std::vector<bool> fixed_before = conditions.is_fixed();
+    has_matrix                           = false;
     assembly.resize();
     conditions.set_unseen(supports->unseen_dofs);
     if (stabilisation)
@@ -110,6 +111,51 @@ namespace Riedel::Equilibrium
       if (conditions.is_fixed()[i] &&
           space->owned().is_element(space->relevant().nth_index_in_set(i)))
         is_prescribed[space->owned_place(i)] = true;
+    return dealii::Utilities::MPI::sum(
+             fixed_before == conditions.is_fixed() ? 0 : 1,
+             space->communicator()) > 0;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::continue_to_unseen(LinearAlgebra::Vector &du) const
+  {
+    std::vector<bool> is_unseen(space->relevant().n_elements(), false);
+    for (const unsigned int dof : supports->unseen_dofs)
+      is_unseen[dof] = true;
+    std::vector<double> values, sum(is_unseen.size(), 0.0), count = sum;
+    space->gather(du, values);
+    for (const auto &cell : space->dof_handler().active_cell_iterators())
+      if (!cell->is_artificial())
+        for (unsigned int c = 0; c < space->n_components(); ++c)
+          {
+            double       mean   = 0.0;
+            unsigned int n_seen = 0;
+            for (const unsigned int v : cell->vertex_indices())
+              {
+                const unsigned int dof =
+                  space->local(cell->vertex_dof_index(v, 0) + c);
+                if (!is_unseen[dof])
+                  {
+                    mean += values[dof];
+                    ++n_seen;
+                  }
+              }
+            if (n_seen > 0)
+              for (const unsigned int v : cell->vertex_indices())
+                {
+                  const unsigned int dof =
+                    space->local(cell->vertex_dof_index(v, 0) + c);
+                  sum[dof] += mean / n_seen;
+                  count[dof] += 1.0;
+                }
+          }
+    for (const unsigned int dof : supports->unseen_dofs)
+      if (count[dof] > 0.0 &&
+          space->owned().is_element(space->relevant().nth_index_in_set(dof)))
+        du.begin()[space->owned_place(dof)] = sum[dof] / count[dof];
   }
 
 
@@ -305,13 +351,7 @@ namespace Riedel::Equilibrium
       right_hand_side = 0.0;
       result          = evaluate(du, r, &constraints, &right_hand_side);
       matrix.compress(dealii::VectorOperation::add);
-      for (unsigned int i = 0; i < is_prescribed.size(); ++i)
-        {
-          const auto dof = space->owned().nth_index_in_set(i);
-          if (is_prescribed[i] && matrix.diag_element(dof) == 0.0)
-            matrix.set(dof, dof, 1.0);
-        }
-      matrix.compress(dealii::VectorOperation::insert);
+      set_missing_diagonal();
       right_hand_side.compress(dealii::VectorOperation::add);
     }
     if (!result.refused)
@@ -331,6 +371,29 @@ namespace Riedel::Equilibrium
         factorised = true;
       }
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::set_missing_diagonal()
+  {
+    // As stiff as the stiffest dof: if points see the node while this factor is
+    // in use, it must not give it large corrections.
+    std::vector<double> largest(2, 0.0), all(2);
+    for (unsigned int i = 0; i < is_rotation.size(); ++i)
+      largest[is_rotation[i]] =
+        std::max(largest[is_rotation[i]],
+                 matrix.diag_element(space->owned().nth_index_in_set(i)));
+    dealii::Utilities::MPI::max(largest, space->communicator(), all);
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      {
+        const auto dof = space->owned().nth_index_in_set(i);
+        if (is_prescribed[i] && matrix.diag_element(dof) == 0.0)
+          matrix.set(dof, dof, all[is_rotation[i]]);
+      }
+    matrix.compress(dealii::VectorOperation::insert);
   }
 
 

@@ -51,9 +51,15 @@ namespace Riedel::Equilibrium
             const Points::Supports<dim>            &supports,
             Timer                                  &timer);
 
-    /// To be called when the supports have changed: points have moved.
-    void
+    /// To be called when the supports have changed: points have moved. True if
+    /// other nodes than before are seen by points.
+    bool
     supports_changed();
+
+    /// Gives nodes that no point sees the mean increment of the other nodes of
+    /// their cells: a first guess for the step in which they are seen.
+    void
+    continue_to_unseen(LinearAlgebra::Vector &du) const;
 
     /// Starts a step from the displacement @p u (relevant dofs by local
     /// number) and the load parameter @p from to @p to. In the configuration
@@ -179,6 +185,9 @@ namespace Riedel::Equilibrium
   private:
     void
     make_matrix();
+
+    void
+    set_missing_diagonal();
 
     void
     find_extent();
