@@ -3,6 +3,7 @@
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
+#include <riedel/points/point_sums.h>
 #include <riedel/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -120,6 +121,7 @@ namespace Riedel
                                                   timer);
     scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
     increment = space.owned_vector();
+    boundary_displacements = averages(relevant_solution);
     set_up.reset();
 
     // How far the initial state is from balance under the initial loads.
@@ -242,8 +244,36 @@ namespace Riedel
                      du,
                      balance->point_increments(),
                      points);
+    add_boundary_displacements(du);
     if (points.are_moving() && balance->supports_changed())
       scheme->distrust();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::add_boundary_displacements(const std::vector<double> &du)
+  {
+    const auto added = averages(du);
+    for (std::size_t b = 0; b < added.size(); ++b)
+      for (std::size_t c = 0; c < added[b].size(); ++c)
+        boundary_displacements[b][c] += added[b][c];
+    if (!points.are_moving())
+      return;
+    // Where the grid does not end with the body: the side of the box around
+    // all points.
+    const auto extent = Points::extent(points, communicator);
+    for (std::size_t b = 0; b < added.size(); ++b)
+      {
+        const auto         name = scene.geometry.names()[b];
+        const unsigned int side = body.boundary(name), d = side / 2;
+        if (!scene.grid.ends_at(side))
+          boundary_displacements[b][d] =
+            side % 2 == 0 ?
+              extent.lower_bound(d) - body.extent().lower_bound(d) :
+              extent.upper_bound(d) - body.extent().upper_bound(d);
+      }
   }
 
 
@@ -261,7 +291,7 @@ namespace Riedel
     last_bands = load;
 
     const auto field =
-      Analysis::collect_deformed_field(space, relevant_solution, points);
+      Analysis::collect_deformed_field(space, shown_solution(), points);
     Analysis::BandMeasureOptions options;
     options.grain_size = grain_size;
     if (is_first_rank)
@@ -295,7 +325,18 @@ namespace Riedel
       return;
     const Timer::Scope scope(timer, "files of fields");
     last_fields = load;
-    fields.write(load, space, relevant_solution, points);
+    fields.write(load, space, shown_solution(), points);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Simulation<dim>::shown_solution() const
+  {
+    return points.are_moving() ?
+             Points::nodal_means(space, points, supports->supports()) :
+             relevant_solution;
   }
 
 
@@ -321,7 +362,7 @@ namespace Riedel
     if (last_fields < load)
       {
         const Timer::Scope scope(timer, "files of fields");
-        fields.write(load, space, relevant_solution, points);
+        fields.write(load, space, shown_solution(), points);
       }
     const auto record = make_record();
     log.line(Output::summary(record,
@@ -349,7 +390,7 @@ namespace Riedel
     record.step          = n_steps == 0 ? 0.0 : steps.tried();
     record.cuts          = steps.n_cuts();
     record.boundaries    = scene.geometry.names();
-    record.displacements = averages(relevant_solution);
+    record.displacements = boundary_displacements;
     for (const auto &boundary : scene.boundary_conditions.boundaries)
       record.supported.push_back(boundary.name);
     record.reactions      = balance->reactions();

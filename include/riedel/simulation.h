@@ -53,6 +53,8 @@ namespace Riedel
     void
     accept_step();
     void
+    add_boundary_displacements(const std::vector<double> &du);
+    void
     record_step();
     void
     write_fields();
@@ -61,6 +63,9 @@ namespace Riedel
     void
     finish();
 
+    /// Displacements and rotations at the relevant dofs, for people.
+    std::vector<double>
+    shown_solution() const;
     double
     next_mark(const double every) const;
     Output::StepRecord<dim>
@@ -99,7 +104,9 @@ namespace Riedel
     double                load    = 0.0;
     LinearAlgebra::Vector solution;
     std::vector<double>   relevant_solution;
-    LinearAlgebra::Vector increment;
+    /// mean displacements of the boundaries since the start
+    std::vector<std::vector<double>> boundary_displacements;
+    LinearAlgebra::Vector            increment;
     LinearAlgebra::Vector forces_before; ///< external, last accepted step
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;

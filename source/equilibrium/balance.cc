@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/balance.h>
+#include <riedel/points/point_sums.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -111,9 +112,10 @@ namespace Riedel::Equilibrium
       if (conditions.is_fixed()[i] &&
           space->owned().is_element(space->relevant().nth_index_in_set(i)))
         is_prescribed[space->owned_place(i)] = true;
-    return dealii::Utilities::MPI::sum(
-             fixed_before == conditions.is_fixed() ? 0 : 1,
-             space->communicator()) > 0;
+    return dealii::Utilities::MPI::sum(fixed_before == conditions.is_fixed() ?
+                                         0 :
+                                         1,
+                                       space->communicator()) > 0;
   }
 
 
@@ -241,28 +243,8 @@ namespace Riedel::Equilibrium
   void
   Balance<dim>::find_extent()
   {
-    std::vector<double> lower(dim, std::numeric_limits<double>::max());
-    std::vector<double> minus_upper = lower;
-    for (unsigned int p = 0; p < points->n_points(); ++p)
-      {
-        const auto x = points->position(p);
-        const auto l = points->half_lengths(points->row(p));
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            lower[d]       = std::min(lower[d], x[d] - l[d]);
-            minus_upper[d] = std::min(minus_upper[d], -(x[d] + l[d]));
-          }
-      }
-    const MPI_Comm      communicator = space->communicator();
-    std::vector<double> all_lower(dim), all_minus_upper(dim);
-    dealii::Utilities::MPI::min(lower, communicator, all_lower);
-    dealii::Utilities::MPI::min(minus_upper, communicator, all_minus_upper);
-    dealii::Point<dim> a, b;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        a[d] = all_lower[d];
-        b[d] = -all_minus_upper[d];
-      }
+    const auto present = Points::extent(*points, space->communicator());
+    const auto [a, b]  = present.get_boundary_points();
     // between walls the body is where they will be at the end of the step
     const auto frame = conditions.walls(load);
     loads.set_extent(body->extent(),
