@@ -31,6 +31,9 @@ namespace Riedel::Output
     record.mass     = all[1];
     record.solids   = all[3];
     record.n_points = static_cast<std::uint64_t>(all[2]);
+    record.are_moving = points.are_moving();
+    record.n_split    = points.n_split();
+    record.n_removed  = points.n_removed();
   }
 
 
@@ -109,6 +112,13 @@ namespace Riedel::Output
             {"bands [1]", static_cast<double>(record.n_bands)},
             {"cpu time [s]", record.cpu_seconds}};
     row.insert(row.end(), rest.begin(), rest.end());
+    if (record.are_moving)
+      {
+        row.emplace_back("split points [1]",
+                         static_cast<double>(record.n_split));
+        row.emplace_back("removed points [1]",
+                         static_cast<double>(record.n_removed));
+      }
     return row;
   }
 

@@ -3,6 +3,7 @@
 #include <riedel/errors.h>
 #include <riedel/points/current_supports.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -250,7 +251,63 @@ namespace Riedel::Points
     if (!follow_deformation)
       return;
     points.relocate();
+    while (split_large_boxes(points))
+      points.relocate();
     rebuild(solution, points);
+  }
+
+
+
+  template <int dim>
+  bool
+  CurrentSupports<dim>::split_large_boxes(MaterialPoints<dim> &points) const
+  {
+    if (points.place.half_length == Material::StateLayout::absent)
+      return false;
+    constexpr double largest_share = 0.55; // of the cell's volume
+
+    const Grid::CellLattice<dim> lattice(space->dof_handler());
+    const auto                  &frame = space->frame();
+    std::vector<typename MaterialPoints<dim>::Halving> halvings;
+    std::vector<unsigned int>                          touched;
+    for (const auto &cell : space->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto  here = points.particles().particles_in_cell(cell);
+          const auto &own =
+            lattice.leaves()[lattice.leaf_of(cell->active_cell_index())];
+          for (auto particle = here.begin(); particle != here.end(); ++particle)
+            {
+              auto l = points.half_lengths(particle->get_properties().data());
+              for (unsigned int d = 0; d < dim; ++d)
+                l[d] /= frame.stretch(d);
+
+              touched.clear();
+              lattice.find(particle->get_location() - l,
+                           particle->get_location() + l,
+                           touched);
+              unsigned int axis  = 0; // the longest, measured by the cell
+              double       share = 1.0;
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  share *= 2.0 * l[d] / own.size[d];
+                  if (l[d] / own.size[d] > l[axis] / own.size[axis])
+                    axis = d;
+                }
+              double smallest = own.size[axis];
+              for (const unsigned int leaf : touched)
+                smallest =
+                  std::min(smallest, lattice.leaves()[leaf].size[axis]);
+              if (2.0 * l[axis] > smallest * (1.0 + 1e-9) ||
+                  share > largest_share)
+                halvings.push_back({particle, axis});
+            }
+        }
+    if (dealii::Utilities::MPI::sum(halvings.size(), space->communicator()) ==
+        0)
+      return false;
+    points.split(halvings, frame);
+    return true;
   }
 
 

@@ -277,7 +277,58 @@ namespace Riedel::Points
 
 
   template <int dim>
-  std::uint64_t
+  void
+  MaterialPoints<dim>::split(const std::vector<Halving> &halvings,
+                             const Grid::Frame<dim>     &frame)
+  {
+    // new ids are consecutive over the ranks
+    const MPI_Comm      communicator = Compat::communicator(*triangulation);
+    const std::uint64_t n_here       = halvings.size();
+    std::uint64_t       before       = 0;
+    const int           code         = MPI_Exscan(
+      &n_here, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
+    AssertThrowMPI(code);
+    auto id = handler.get_next_free_particle_index() + before;
+    split_count += dealii::Utilities::MPI::sum(n_here, communicator);
+
+    // Insertion invalidates iterators: first all changes, then all new points.
+    struct NewPoint
+    {
+      dealii::Point<dim>  X;
+      std::vector<double> row;
+      typename dealii::Triangulation<dim>::active_cell_iterator cell;
+    };
+    std::vector<NewPoint> new_points;
+    for (auto [point, axis] : halvings)
+      {
+        const auto   row    = point->get_properties();
+        const double offset = 0.5 * half_lengths(row.data())[axis];
+        for (const unsigned int halved :
+             {place.initial_volume, place.volume, place.mass,
+              place.half_length + axis})
+          row[halved] *= 0.5;
+
+        dealii::Point<dim> x = frame.to_space(point->get_location());
+        x[axis] += offset;
+        new_points.push_back({frame.to_grid(x),
+                              std::vector<double>(row.begin(), row.end()),
+                              point->get_surrounding_cell()});
+        x[axis] -= 2.0 * offset;
+        point->set_location(frame.to_grid(x));
+      }
+    for (const NewPoint &point : new_points)
+      handler.insert_particle(point.X,
+                              dealii::Point<dim>(),
+                              id++,
+                              point.cell,
+                              dealii::ArrayView<const double>(point.row));
+    handler.update_cached_numbers();
+  }
+
+
+
+  template <int dim>
+  void
   MaterialPoints<dim>::relocate()
   {
     const MPI_Comm     communicator = Compat::communicator(*triangulation);
@@ -306,7 +357,7 @@ namespace Riedel::Points
               text + ".\nGive the grid more Grid/Margin cells there, or \"set "
                      "Leaving points = remove\" in section Material points.");
       }
-    return all;
+    removed_count += all;
   }
 
 

@@ -70,6 +70,11 @@ namespace Riedel::Points
                 const MaterialPoints<dim> &points,
                 std::vector<Particle>     &order);
 
+    /// Halves boxes that are longer than the smallest cell they touch, or
+    /// larger than 0.55 of their own cell. True if there were any, on any rank.
+    bool
+    split_large_boxes(MaterialPoints<dim> &points) const;
+
     void
     find_unseen_nodes();
 

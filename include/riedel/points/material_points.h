@@ -179,11 +179,39 @@ namespace Riedel::Points
          const dealii::Point<dim> &x,
          const Grid::Frame<dim>   &frame);
 
-    /// Finds the cells of all points and sends points to the ranks that own
-    /// them; then the order has to be fixed anew. Returns the number of points
-    /// that have left the grid, over all ranks. Throws ComputationError for one
-    /// if the scene does not allow it.
+    /// A point and the axis along which its box is halved.
+    struct Halving
+    {
+      typename dealii::Particles::ParticleHandler<dim>::particle_iterator point;
+      unsigned int                                                        axis;
+    };
+
+    /// Halves the boxes of points of this rank (collective): two points share
+    /// volume and mass, at the centres of the halves, so that the first moments
+    /// are kept too; all else is copied. Call relocate() afterwards. @p frame:
+    /// where the grid is.
+    void
+    split(const std::vector<Halving> &halvings, const Grid::Frame<dim> &frame);
+
+    /// Points split since the start, on all ranks.
     std::uint64_t
+    n_split() const
+    {
+      return split_count;
+    }
+
+    /// Points that have left the grid since the start, on all ranks.
+    std::uint64_t
+    n_removed() const
+    {
+      return removed_count;
+    }
+
+    /// Finds the cells of all points and sends points to the ranks that own
+    /// them; then the order has to be fixed anew. Counts the points that have
+    /// left the grid; throws ComputationError for one if the scene does not
+    /// allow it.
+    void
     relocate();
 
     /// State of the laws at the start of the step, from @p point on.
@@ -238,6 +266,8 @@ namespace Riedel::Points
     /// per material: place in a point's row of every value of the law's state
     std::vector<std::vector<unsigned int>> law_places;
 
+    std::uint64_t                              split_count   = 0;
+    std::uint64_t                              removed_count = 0;
     std::vector<Particle>                      particle_at;
     std::vector<double *>                      rows;
     std::vector<dealii::types::particle_index> ids;
