@@ -33,8 +33,11 @@ namespace Riedel::Equilibrium
     const double factor = std::sqrt(static_cast<double>(target_iterations) /
                                     std::max(iterations, 1u));
     // a step shortened by a mark must not make the following ones small
-    size =
-      std::max(last * std::clamp(factor, least_factor, 1.5), factor >= 1.0 ? size : 0.0);
+    size = std::max(last * std::clamp(factor, are_moving ? 1.0 : 0.5, 1.5),
+                    factor >= 1.0 ? size : 0.0);
+    // iterations do not tell a moving point's step that it may grow
+    if (are_moving)
+      size = std::max(size, 1.5 * last);
     size = std::clamp(size, smallest, largest);
   }
 

@@ -271,7 +271,34 @@ namespace Riedel::Points
                             const dealii::Point<dim> &x,
                             const Grid::Frame<dim>   &frame)
   {
-    particle_at[point]->set_location(frame.to_grid(x));
+    put(particle_at[point], frame.to_grid(x));
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::put(Particle                 &particle,
+                           const dealii::Point<dim> &X) const
+  {
+    // A vertex of any cell is one of the finest grid over this cell's corner.
+    const auto   cell = particle->get_surrounding_cell();
+    const double n =
+      1u << (triangulation->n_global_levels() - 1 - cell->level());
+    constexpr double   tolerance = 1e-10; // of a cell
+    bool               on_vertex = true;
+    dealii::Point<dim> shifted   = X;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double size  = cell->extent_in_direction(d) / n;
+        const double place = (X[d] - cell->vertex(0)[d]) / size;
+        on_vertex =
+          on_vertex && std::abs(place - std::round(place)) < tolerance;
+        // towards the inside of the grid, where the cell is
+        shifted[d] +=
+          (X[d] < cell->center()[d] ? 2.0 : -2.0) * tolerance * size;
+      }
+    particle->set_location(on_vertex ? shifted : X);
   }
 
 
@@ -285,8 +312,8 @@ namespace Riedel::Points
     const MPI_Comm      communicator = Compat::communicator(*triangulation);
     const std::uint64_t n_here       = halvings.size();
     std::uint64_t       before       = 0;
-    const int           code         = MPI_Exscan(
-      &n_here, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
+    const int           code =
+      MPI_Exscan(&n_here, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
     AssertThrowMPI(code);
     auto id = handler.get_next_free_particle_index() + before;
     split_count += dealii::Utilities::MPI::sum(n_here, communicator);
@@ -294,8 +321,8 @@ namespace Riedel::Points
     // Insertion invalidates iterators: first all changes, then all new points.
     struct NewPoint
     {
-      dealii::Point<dim>  X;
-      std::vector<double> row;
+      dealii::Point<dim>                                        X;
+      std::vector<double>                                       row;
       typename dealii::Triangulation<dim>::active_cell_iterator cell;
     };
     std::vector<NewPoint> new_points;
@@ -303,9 +330,10 @@ namespace Riedel::Points
       {
         const auto   row    = point->get_properties();
         const double offset = 0.5 * half_lengths(row.data())[axis];
-        for (const unsigned int halved :
-             {place.initial_volume, place.volume, place.mass,
-              place.half_length + axis})
+        for (const unsigned int halved : {place.initial_volume,
+                                          place.volume,
+                                          place.mass,
+                                          place.half_length + axis})
           row[halved] *= 0.5;
 
         dealii::Point<dim> x = frame.to_space(point->get_location());
@@ -314,7 +342,7 @@ namespace Riedel::Points
                               std::vector<double>(row.begin(), row.end()),
                               point->get_surrounding_cell()});
         x[axis] -= 2.0 * offset;
-        point->set_location(frame.to_grid(x));
+        put(point, frame.to_grid(x));
       }
     for (const NewPoint &point : new_points)
       handler.insert_particle(point.X,

@@ -23,7 +23,7 @@ namespace Riedel::Equilibrium
       , smallest(loading.smallest_step)
       , fixed(loading.fixed_steps)
       , target_iterations(solver.target_iterations)
-      , least_factor(are_moving ? 1.0 : 0.5)
+      , are_moving(are_moving)
       , size(loading.initial_step > 0.0 ? loading.initial_step :
                                           loading.largest_step)
     {}
@@ -44,7 +44,7 @@ namespace Riedel::Equilibrium
     bool
     is_last_chance() const
     {
-      return fixed || least_factor == 1.0 || failures_in_a_row >= 2 ||
+      return fixed || are_moving || failures_in_a_row >= 2 ||
              0.5 * last < smallest;
     }
 
@@ -74,7 +74,7 @@ namespace Riedel::Equilibrium
     const double       smallest;
     const bool         fixed;
     const unsigned int target_iterations;
-    const double       least_factor; ///< between accepted steps
+    const bool         are_moving;
     double             size;
     double             last              = 0.0;
     double             uncut             = 0.0; ///< first try from this state

@@ -246,6 +246,11 @@ namespace Riedel::Points
     void
     copy_states(const bool to_rows);
 
+    /// Puts a particle at a place of the undeformed grid, but not on a vertex:
+    /// deal.II 9.4 divides by the distance from it when it sorts.
+    void
+    put(Particle &particle, const dealii::Point<dim> &X) const;
+
     dealii::Tensor<1, dim>
     displacement(const unsigned int point) const
     {
