@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/deformed_field.h>
+#include <riedel/checkpoint/archive.h>
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
@@ -24,6 +25,18 @@ namespace Riedel
     {
       return every > 0.0 && std::floor(load / every + mark_tolerance) >
                               std::floor(before / every + mark_tolerance);
+    }
+
+
+
+    std::vector<Checkpoint::Setting>
+    settings(const std::vector<Scene::DeclaredParameter> &parameters)
+    {
+      std::vector<Checkpoint::Setting> result;
+      for (const auto &parameter : parameters)
+        result.push_back(
+          {parameter.path, parameter.value, parameter.default_value});
+      return result;
     }
   } // namespace
 
@@ -56,11 +69,16 @@ namespace Riedel
     , log(folder.path("log.txt"),
           is_first_rank,
           // mpirun gives ranks a terminal even if its own output is a file
-          dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-    , history(folder.path("history.csv"), is_first_rank)
-    , bands_table(folder.path("bands.csv"), is_first_rank)
+          dealii::Utilities::MPI::n_mpi_processes(communicator) == 1,
+          folder.is_resumed())
+    , history(folder.path("history.csv"), is_first_rank, folder.is_resumed())
+    , bands_table(folder.path("bands.csv"), is_first_rank, folder.is_resumed())
     , fields(folder, scene.output)
     , watch(scene.output, scene.boundary_conditions)
+    , checkpoints(communicator,
+                  folder.name(),
+                  scene.checkpoint,
+                  settings(scene.parameters))
   {
     for (const auto &material : scene.materials.materials)
       grain_size = std::max(grain_size, material.law->length());
@@ -72,10 +90,19 @@ namespace Riedel
   void
   Simulation<dim>::run()
   {
-    start();
+    if (folder.is_resumed())
+      resume();
+    else
+      start();
     const Interrupt interrupt(communicator);
     while (load < scene.loading.stop - mark_tolerance)
       {
+        if (checkpoints.is_due(n_steps))
+          {
+            // it is read as by a resumed run: so both go on alike
+            if (save_checkpoint())
+              load_checkpoint(checkpoints.last());
+          }
         if (!solve_step())
           continue; // with a smaller step
         accept_step();
@@ -84,10 +111,15 @@ namespace Riedel
         write_fields();
         if (interrupt.requested())
           {
-            log.line("Interrupted: the step is complete, results are written.");
+            if (checkpoints.is_due_at_end(n_steps, /*in_order=*/false))
+              save_checkpoint();
+            log.line("Interrupted: the step is complete, results are written." +
+                     how_to_continue());
             break;
           }
       }
+    if (checkpoints.is_due_at_end(n_steps, /*in_order=*/true))
+      save_checkpoint();
     finish();
   }
 
@@ -97,12 +129,88 @@ namespace Riedel
   void
   Simulation<dim>::start()
   {
-    auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
     points.seed(supports.quadrature(), scene.initial_state, body.extent());
-    supports.rebuild(points);
     solution = space.owned_vector();
+    prepare();
+    forces_before = balance->external_forces();
+
+    say_hello();
+    // how far the initial state is from balance under the initial loads
+    if (outcome.residual.relative() > scene.solver.residual)
+      log.line(
+        "The initial stress is out of balance with the initial loads: "
+        "forces " +
+        Output::number(outcome.residual.force / outcome.residual.reference) +
+        " of the reactions. The first step brings it into balance.");
+    log.line(Output::step_header(watch.description()));
+    record_step();
+    write_fields();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::resume()
+  {
+    const auto found = checkpoints.find();
+    load_checkpoint(found.name);
+
+    // nothing in the folder has been changed up to here
+    checkpoints.return_to(found);
+    say_hello();
+    for (const std::string &warning : found.warnings)
+      log.line("Warning: " + warning);
+    if (is_first_rank)
+      {
+        folder.write_inputs();
+        fields.resume();
+        for (Output::Table *table : {&history, &bands_table})
+          if (!table->resume())
+            log.line("Warning: a table has lost rows before the checkpoint: " +
+                     table->file_name() + ".");
+      }
+    log.line(
+      "Resumed at s = " + Output::number(load) + ", step " +
+      std::to_string(n_steps) + ", from the checkpoint " + found.name +
+      (found.ranks == dealii::Utilities::MPI::n_mpi_processes(communicator) ?
+         "." :
+         ", which was written on " + std::to_string(found.ranks) +
+           (found.ranks == 1 ? " rank: " : " ranks: ") +
+           "results differ by rounding errors."));
+    if (load > scene.loading.stop - mark_tolerance)
+      log.line("Loading/Stop = " + Output::number(scene.loading.stop) +
+               " has been reached: a larger one lets the run go on.");
+    log.line(Output::step_header(watch.description()));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::say_hello()
+  {
+    log.line(Output::banner(
+      scene.general.title, scene.file, folder.name(), communicator));
+    for (const std::string &warning : scene.warnings)
+      log.line("Warning: " + warning);
+    log.line(std::to_string(body.triangulation().n_global_active_cells()) +
+             " cells, " + std::to_string(space.dof_handler().n_dofs()) +
+             " unknowns.");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::prepare()
+  {
+    auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
+    supports.rebuild(points);
     space.gather(solution, relevant_solution);
     supports.update(relevant_solution, points);
+    averages =
+      Analysis::BoundaryAverages<dim>(scene.geometry.names(), body, space);
     balance =
       std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
                                                   scene.loading,
@@ -116,28 +224,9 @@ namespace Riedel
     increment = space.owned_vector();
     set_up.reset();
 
-    // How far the initial state is from balance under the initial loads.
     LinearAlgebra::Vector r = space.owned_vector();
-    balance->begin_step(relevant_solution, 0.0);
+    balance->begin_step(relevant_solution, load);
     outcome.residual = balance->residual(increment, r);
-    forces_before    = balance->external_forces();
-
-    log.line(Output::banner(
-      scene.general.title, scene.file, folder.name(), communicator));
-    for (const std::string &warning : scene.warnings)
-      log.line("Warning: " + warning);
-    log.line(std::to_string(body.triangulation().n_global_active_cells()) +
-             " cells, " + std::to_string(space.dof_handler().n_dofs()) +
-             " unknowns.");
-    if (outcome.residual.relative() > scene.solver.residual)
-      log.line(
-        "The initial stress is out of balance with the initial loads: "
-        "forces " +
-        Output::number(outcome.residual.force / outcome.residual.reference) +
-        " of the reactions. The first step brings it into balance.");
-    log.line(Output::step_header(watch.description()));
-    record_step();
-    write_fields();
   }
 
 
@@ -160,6 +249,8 @@ namespace Riedel
              " not solved: " + outcome.failure + ".");
     if (!steps.failed())
       {
+        if (checkpoints.is_due_at_end(n_steps, /*in_order=*/false))
+          save_checkpoint();
         finish();
         throw ComputationError(
           "The step from s = " + Output::number(load) + " to " +
@@ -171,7 +262,7 @@ namespace Riedel
              "= " +
                Output::number(scene.loading.smallest_step) + ".") +
           "\nResults up to s = " + Output::number(load) + " are in " +
-          folder.name() + ".");
+          folder.name() + "." + how_to_continue());
       }
     return false;
   }
@@ -301,11 +392,13 @@ namespace Riedel
         const Timer::Scope scope(timer, "files of fields");
         fields.write(load, space, relevant_solution, points);
       }
-    const auto record = make_record();
+    const auto record   = make_record();
+    auto       law_cost = earlier_law_cost;
+    law_cost += balance->law_cost();
     log.line(Output::summary(record,
                              n_floored_points,
                              n_clamped_points,
-                             balance->law_cost(),
+                             law_cost,
                              timer,
                              wall_seconds(),
                              communicator));
@@ -313,6 +406,90 @@ namespace Riedel
       log.line("At s = " + Output::number(last_bands) + ": " +
                Output::bands_line(bands, grain_size));
     log.line("Results are in " + folder.name() + ".");
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::save_checkpoint()
+  {
+    const Timer::Scope scope(timer, "checkpoints");
+    Spent              total = spent();
+    const std::string  state = Checkpoint::pack([&](auto &archive) {
+      exchange(archive);
+      archive &total;
+    });
+    const std::string error = checkpoints.write(n_steps, load, state, bodies());
+    if (!error.empty())
+      log.line("Warning: " + error);
+    return error.empty();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::load_checkpoint(const std::string &name)
+  {
+    const bool is_resumed = !balance;
+    if (balance)
+      earlier_law_cost += balance->law_cost();
+    {
+      const Timer::Scope scope(timer, "checkpoints");
+      // factors, secant pairs and the like are not part of the state
+      scheme.reset();
+      balance.reset();
+      Spent total;
+      Checkpoint::unpack(checkpoints.read_state(name), [&](auto &archive) {
+        exchange(archive);
+        archive &total;
+      });
+      if (is_resumed)
+        earlier = total;
+      earlier.sweeps         = total.sweeps;
+      earlier.factorisations = total.factorisations;
+      checkpoints.read_bodies(name, bodies());
+    }
+    prepare();
+  }
+
+
+
+  template <int dim>
+  std::string
+  Simulation<dim>::how_to_continue() const
+  {
+    if (checkpoints.last().empty())
+      return "";
+    return "\nThe run goes on from there with\n  riedel " + scene.file +
+           " --resume\nand the --set options of now. Sizes of steps and the "
+           "solver may be changed.";
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint::Checkpoints<dim>::Bodies
+  Simulation<dim>::bodies()
+  {
+    std::vector<LinearAlgebra::Vector *> vectors = {&solution, &forces_before};
+    for (LinearAlgebra::Vector *vector : extrapolation.vectors())
+      vectors.push_back(vector);
+    return {body.triangulation(), space, points, vectors};
+  }
+
+
+
+  template <int dim>
+  template <class Archive>
+  void
+  Simulation<dim>::exchange(Archive &archive)
+  {
+    archive &n_steps &load &steps &extrapolation            &points;
+    archive &external_work &stress_work &bands &last_fields &last_bands;
+    archive &n_floored_points                               &n_clamped_points;
+    archive &fields &history                                &bands_table;
   }
 
 
@@ -334,13 +511,28 @@ namespace Riedel
     record.external_work  = external_work;
     record.stress_work    = stress_work;
     record.outcome        = outcome;
-    record.sweeps         = balance->n_sweeps;
-    record.factorisations = balance->n_factorisations;
+    const Spent total     = spent();
+    record.sweeps         = total.sweeps;
+    record.factorisations = total.factorisations;
     record.n_bands        = bands.bands.size();
-    record.cpu_seconds =
-      dealii::Utilities::MPI::sum(Timer::cpu_seconds(), communicator);
+    record.cpu_seconds    = total.cpu;
     Output::sum_up_points(points, communicator, record);
     return record;
+  }
+
+
+
+  template <int dim>
+  typename Simulation<dim>::Spent
+  Simulation<dim>::spent() const
+  {
+    Spent total = earlier;
+    total.cpu +=
+      dealii::Utilities::MPI::sum(Timer::cpu_seconds(), communicator);
+    total.wall = wall_seconds();
+    total.sweeps += balance->n_sweeps;
+    total.factorisations += balance->n_factorisations;
+    return total;
   }
 
 
@@ -349,9 +541,9 @@ namespace Riedel
   double
   Simulation<dim>::wall_seconds() const
   {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         wall_start)
-      .count();
+    return earlier.wall + std::chrono::duration<double>(
+                            std::chrono::steady_clock::now() - wall_start)
+                            .count();
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/checkpoint/store.h>
 #include <riedel/errors.h>
 #include <riedel/output/results_folder.h>
 #include <riedel/version.h>
@@ -42,22 +43,23 @@ namespace Riedel::Output
           files.push_back(file.path());
       for (const fs::path &file : files)
         fs::remove(file);
+      Checkpoint::Store(folder).clear();
     }
 
+    /// A file of an earlier run is replaced at once or not at all.
     void
     write(const fs::path &path, const std::string &text)
     {
-      std::ofstream file(path);
+      const fs::path fresh = path.string() + ".new";
+      std::ofstream  file(fresh);
       file << text;
       if (!file.flush())
         throw InputError("Cannot write the file \"" + path.string() + "\".");
+      fs::rename(fresh, path);
     }
 
     void
-    create(const fs::path    &folder,
-           const bool         overwrite,
-           const std::string &original_text,
-           const std::string &effective_text)
+    create(const fs::path &folder, const bool overwrite)
     {
       const std::string quoted = "\"" + folder.string() + "\"";
       if (fs::exists(folder))
@@ -80,10 +82,16 @@ namespace Riedel::Output
           remove_results(folder);
         }
       fs::create_directories(folder);
-      write(folder / "original.prm", original_text);
-      write(folder / "parameters.prm",
-            mark + RIEDEL_VERSION + ": all parameters of this run\n\n" +
-              effective_text);
+    }
+
+    void
+    check_resumed(const fs::path &folder)
+    {
+      if (!is_ours(folder))
+        throw InputError("Results: there is nothing to resume: \"" +
+                         folder.string() +
+                         "\" has no results of Riedel. A run begins without "
+                         "--resume.");
     }
   } // namespace
 
@@ -91,17 +99,26 @@ namespace Riedel::Output
 
   ResultsFolder::ResultsFolder(const MPI_Comm     communicator,
                                const std::string &folder,
-                               const bool         overwrite,
+                               const Existing     existing,
                                const std::string &original_text,
                                const std::string &effective_text)
     : folder(folder)
+    , existing(existing)
+    , original_text(original_text)
+    , effective_text(effective_text)
   {
     // All ranks must fail together, or those that do not would wait forever.
     std::string error;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       try
         {
-          create(folder, overwrite, original_text, effective_text);
+          if (is_resumed())
+            check_resumed(folder);
+          else
+            {
+              create(folder, existing == Existing::replace);
+              write_inputs();
+            }
         }
       catch (const InputError &reason)
         {
@@ -115,6 +132,18 @@ namespace Riedel::Output
     error = dealii::Utilities::MPI::broadcast(communicator, error, 0);
     if (!error.empty())
       throw InputError(error);
+  }
+
+
+
+  void
+  ResultsFolder::write_inputs() const
+  {
+    // first the one by which the folder is known
+    write(path("parameters.prm"),
+          mark + RIEDEL_VERSION + ": all parameters of this run\n\n" +
+            effective_text);
+    write(path("original.prm"), original_text);
   }
 
 

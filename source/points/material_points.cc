@@ -142,6 +142,33 @@ namespace Riedel::Points
 
 
   template <int dim>
+  void
+  MaterialPoints<dim>::prepare_to_save()
+  {
+    handler.prepare_for_serialization();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::load()
+  {
+    handler.deserialize();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::remove_all()
+  {
+    handler.clear_particles();
+  }
+
+
+
+  template <int dim>
   unsigned int
   MaterialPoints<dim>::material(
     const typename dealii::Particles::ParticleHandler<dim>::particle_iterator

@@ -292,6 +292,7 @@ namespace Riedel::Scene
     Equilibrium::LoadingParameters<dim>::declare(prm);
     Equilibrium::SolverParameters::declare(prm);
     Output::Parameters::declare(prm);
+    Checkpoint::Parameters::declare(prm);
     ElementTest::Parameters::declare(prm);
   }
 
@@ -310,6 +311,7 @@ namespace Riedel::Scene
     loading.parse(prm);
     solver.parse(prm);
     output.parse(prm);
+    checkpoint.parse(prm);
     element_test.parse(prm);
   }
 

@@ -47,6 +47,28 @@ namespace Riedel::Points
          const InitialStateParameters<dim> &initial,
          const dealii::BoundingBox<dim>    &body);
 
+    /// Attaches the points to the grid before it is saved.
+    void
+    prepare_to_save();
+
+    /// The points that came with a grid that has been loaded; their
+    /// bookkeeping, serialize(), must have been read before. Their order has
+    /// to be fixed again.
+    void
+    load();
+
+    /// Before another grid is loaded.
+    void
+    remove_all();
+
+    /// What of the points is not attached to the grid.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &handler;
+    }
+
     const dealii::Particles::ParticleHandler<dim> &
     particles() const
     {
