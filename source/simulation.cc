@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/deformed_field.h>
-#include <riedel/checkpoint/archive.h>
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
@@ -95,7 +94,7 @@ namespace Riedel
     else
       start();
     const Interrupt interrupt(communicator);
-    while (load < scene.loading.stop - mark_tolerance)
+    while (!is_complete())
       {
         if (checkpoints.is_due(n_steps))
           {
@@ -145,43 +144,6 @@ namespace Riedel
     log.line(Output::step_header(watch.description()));
     record_step();
     write_fields();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::resume()
-  {
-    const auto found = checkpoints.find();
-    load_checkpoint(found.name);
-
-    // nothing in the folder has been changed up to here
-    checkpoints.return_to(found);
-    say_hello();
-    for (const std::string &warning : found.warnings)
-      log.line("Warning: " + warning);
-    if (is_first_rank)
-      {
-        folder.write_inputs();
-        fields.resume();
-        for (Output::Table *table : {&history, &bands_table})
-          if (!table->resume())
-            log.line("Warning: a table has lost rows before the checkpoint: " +
-                     table->file_name() + ".");
-      }
-    log.line(
-      "Resumed at s = " + Output::number(load) + ", step " +
-      std::to_string(n_steps) + ", from the checkpoint " + found.name +
-      (found.ranks == dealii::Utilities::MPI::n_mpi_processes(communicator) ?
-         "." :
-         ", which was written on " + std::to_string(found.ranks) +
-           (found.ranks == 1 ? " rank: " : " ranks: ") +
-           "results differ by rounding errors."));
-    if (load > scene.loading.stop - mark_tolerance)
-      log.line("Loading/Stop = " + Output::number(scene.loading.stop) +
-               " has been reached: a larger one lets the run go on.");
-    log.line(Output::step_header(watch.description()));
   }
 
 
@@ -322,9 +284,8 @@ namespace Riedel
   Simulation<dim>::measure_bands()
   {
     const double every = scene.output.bands_every;
-    const bool   last  = load > scene.loading.stop - mark_tolerance;
     if (grain_size == 0.0 || every == 0.0 ||
-        !(last || passed_mark(last_bands, load, every)))
+        !(is_complete() || passed_mark(last_bands, load, every)))
       return;
     const Timer::Scope scope(timer, "measurement of bands");
     last_bands = load;
@@ -358,13 +319,21 @@ namespace Riedel
   void
   Simulation<dim>::write_fields()
   {
-    const bool last = load > scene.loading.stop - mark_tolerance;
-    if (n_steps > 0 && !last &&
+    if (n_steps > 0 && !is_complete() &&
         !passed_mark(last_fields, load, scene.output.fields_every))
       return;
     const Timer::Scope scope(timer, "files of fields");
     last_fields = load;
     fields.write(load, space, relevant_solution, points);
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_complete() const
+  {
+    return load > scene.loading.stop - mark_tolerance;
   }
 
 
@@ -400,96 +369,12 @@ namespace Riedel
                              n_clamped_points,
                              law_cost,
                              timer,
-                             wall_seconds(),
+                             wall_seconds() - earlier.wall,
                              communicator));
     if (last_bands > 0.0)
       log.line("At s = " + Output::number(last_bands) + ": " +
                Output::bands_line(bands, grain_size));
     log.line("Results are in " + folder.name() + ".");
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::save_checkpoint()
-  {
-    const Timer::Scope scope(timer, "checkpoints");
-    Spent              total = spent();
-    const std::string  state = Checkpoint::pack([&](auto &archive) {
-      exchange(archive);
-      archive &total;
-    });
-    const std::string error = checkpoints.write(n_steps, load, state, bodies());
-    if (!error.empty())
-      log.line("Warning: " + error);
-    return error.empty();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::load_checkpoint(const std::string &name)
-  {
-    const bool is_resumed = !balance;
-    if (balance)
-      earlier_law_cost += balance->law_cost();
-    {
-      const Timer::Scope scope(timer, "checkpoints");
-      // factors, secant pairs and the like are not part of the state
-      scheme.reset();
-      balance.reset();
-      Spent total;
-      Checkpoint::unpack(checkpoints.read_state(name), [&](auto &archive) {
-        exchange(archive);
-        archive &total;
-      });
-      if (is_resumed)
-        earlier = total;
-      earlier.sweeps         = total.sweeps;
-      earlier.factorisations = total.factorisations;
-      checkpoints.read_bodies(name, bodies());
-    }
-    prepare();
-  }
-
-
-
-  template <int dim>
-  std::string
-  Simulation<dim>::how_to_continue() const
-  {
-    if (checkpoints.last().empty())
-      return "";
-    return "\nThe run goes on from there with\n  riedel " + scene.file +
-           " --resume\nand the --set options of now. Sizes of steps and the "
-           "solver may be changed.";
-  }
-
-
-
-  template <int dim>
-  typename Checkpoint::Checkpoints<dim>::Bodies
-  Simulation<dim>::bodies()
-  {
-    std::vector<LinearAlgebra::Vector *> vectors = {&solution, &forces_before};
-    for (LinearAlgebra::Vector *vector : extrapolation.vectors())
-      vectors.push_back(vector);
-    return {body.triangulation(), space, points, vectors};
-  }
-
-
-
-  template <int dim>
-  template <class Archive>
-  void
-  Simulation<dim>::exchange(Archive &archive)
-  {
-    archive &n_steps &load &steps &extrapolation            &points;
-    archive &external_work &stress_work &bands &last_fields &last_bands;
-    archive &n_floored_points                               &n_clamped_points;
-    archive &fields &history                                &bands_table;
   }
 
 

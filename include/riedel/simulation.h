@@ -104,6 +104,9 @@ namespace Riedel
     void
     exchange(Archive &archive);
 
+    /// Has Loading/Stop been reached?
+    bool
+    is_complete() const;
     double
     next_mark(const double every) const;
     Output::StepRecord<dim>

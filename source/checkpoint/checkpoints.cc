@@ -42,6 +42,22 @@ namespace Riedel::Checkpoint
 
 
 
+    /// About as many bytes as a checkpoint has, or some more.
+    template <int dim>
+    std::uintmax_t
+    size(const typename Checkpoints<dim>::Bodies &bodies)
+    {
+      constexpr std::uintmax_t head = 100000, per_cell = 100, per_point = 50;
+      return head +
+             bodies.points.particles().n_global_particles() *
+               (per_point + 8 * bodies.points.layout().size()) +
+             bodies.triangulation.n_global_active_cells() *
+               (per_cell + 8 * bodies.vectors.size() *
+                             bodies.space.element().n_dofs_per_cell());
+    }
+
+
+
     /// Does @p work on rank 0; what it says if the disk refuses, on all ranks.
     std::string
     try_on_first_rank(const MPI_Comm               communicator,
@@ -125,6 +141,10 @@ namespace Riedel::Checkpoint
     fs::path    folder;
     std::string error = try_on_first_rank(communicator, [&]() {
       folder = store.begin();
+      // p4est would end the program
+      if (fs::space(folder).available < size<dim>(bodies))
+        throw fs::filesystem_error(
+          "write", folder, std::make_error_code(std::errc::no_space_on_device));
       std::ofstream stream(folder / state_file, std::ios::binary);
       stream.write(state.data(), state.size());
       if (!stream.flush())

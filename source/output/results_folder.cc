@@ -53,9 +53,11 @@ namespace Riedel::Output
       const fs::path fresh = path.string() + ".new";
       std::ofstream  file(fresh);
       file << text;
-      if (!file.flush())
+      std::error_code code;
+      if (file.flush())
+        fs::rename(fresh, path, code);
+      if (!file || code)
         throw InputError("Cannot write the file \"" + path.string() + "\".");
-      fs::rename(fresh, path);
     }
 
     void

@@ -245,5 +245,30 @@ namespace Riedel::Points
 
 
 
+  template <int dim>
+  std::string
+  MaterialPoints<dim>::slot_names() const
+  {
+    std::string names;
+    for (const auto &slot : slots.slots())
+      names += (names.empty() ? "" : ", ") + slot.name + " " +
+               std::to_string(slot.size());
+    return names;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::check_slots(const std::string &names) const
+  {
+    if (names != slot_names())
+      throw InputError("The run cannot be resumed: another version of Riedel "
+                       "wrote its points, with the values\n  " +
+                       names + "\ninstead of\n  " + slot_names());
+  }
+
+
+
   template class MaterialPoints<2>;
 } // namespace Riedel::Points

@@ -61,11 +61,15 @@ namespace Riedel::Points
     void
     remove_all();
 
-    /// What of the points is not attached to the grid.
+    /// What of the points is not attached to the grid. Throws InputError if
+    /// the points that are read have other slots.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
+      std::string names = slot_names();
+      archive    &names;
+      check_slots(names);
       archive &handler;
     }
 
@@ -175,6 +179,13 @@ namespace Riedel::Points
   private:
     void
     copy_states(const bool to_rows);
+
+    /// Names and sizes of the slots: `material 1, stress 5, ...`
+    std::string
+    slot_names() const;
+
+    void
+    check_slots(const std::string &names) const;
 
     const dealii::Triangulation<dim>       *triangulation;
     const Material::Parameters<dim>        *laws;
