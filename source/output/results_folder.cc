@@ -28,8 +28,8 @@ namespace Riedel::Output
              line.compare(0, mark.size(), mark) == 0;
     }
 
-    /// Removes the files of an earlier run; whatever a user put beside them
-    /// stays.
+    /// Removes the files of an earlier run, except the one by which the folder
+    /// is known; whatever a user put beside them stays.
     void
     remove_results(const fs::path &folder)
     {
@@ -38,6 +38,7 @@ namespace Riedel::Output
       std::vector<fs::path> files;
       for (const auto &file : fs::directory_iterator(folder))
         if (file.is_regular_file() &&
+            file.path().filename() != "parameters.prm" &&
             (types.count(file.path().extension().string()) > 0 ||
              file.path().filename() == "log.txt"))
           files.push_back(file.path());

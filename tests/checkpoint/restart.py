@@ -17,7 +17,7 @@ SCENE = "../specimen/case.prm"
 SETTINGS = ["Loading/Stop=0.18", "Checkpoint/Every steps=16",
             "Output/Fields every=0.08", "Output/Bands every=0.02"]
 # steps that adapt themselves, on a grid of two levels
-ADAPTIVE = ["Loading/Stop=0.08", "Checkpoint/Every steps=4",
+ADAPTIVE = ["Loading/Stop=0.06", "Checkpoint/Every steps=4",
             "Output/Fields every=0.03", "Output/Bands every=0.01",
             "Loading/Fixed steps=false", "Grid/Cells=10,5",
             "Grid/Refinements=1"]
