@@ -6,8 +6,11 @@
 #include <riedel/points/initial_supports.h>
 #include <riedel/scene/scene.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -20,11 +23,13 @@ namespace fs = std::filesystem;
 
 namespace
 {
+  namespace Ranks = dealii::Utilities::MPI;
+
   /// A body with all that a checkpoint keeps of it.
   struct State
   {
-    explicit State(const Riedel::Scene::Scene<2> &scene)
-      : body(MPI_COMM_WORLD, scene.geometry, scene.grid)
+    State(const MPI_Comm communicator, const Riedel::Scene::Scene<2> &scene)
+      : body(communicator, scene.geometry, scene.grid)
       , space(body.triangulation(), scene.grid, scene.materials.is_micropolar())
       , points(body.triangulation(), scene.materials)
       , supports(space, scene.grid, true)
@@ -36,22 +41,18 @@ namespace
       return {body.triangulation(), space, points, {&solution, &other}};
     }
 
+    /// Refines the cell around a place.
     void
-    refine_near(const dealii::Point<2> &place)
+    refine(const dealii::Point<2> &place)
     {
-      double                                         least = 1e300;
-      dealii::Triangulation<2>::active_cell_iterator nearest;
       for (const auto &cell : body.triangulation().active_cell_iterators())
-        if (cell->center().distance(place) < least)
-          {
-            least   = cell->center().distance(place);
-            nearest = cell;
-          }
-      nearest->set_refine_flag();
+        if (cell->is_locally_owned() &&
+            cell->bounding_box().point_inside(place))
+          cell->set_refine_flag();
       body.triangulation().execute_coarsening_and_refinement();
     }
 
-    /// Id, place and slots of the points, in their order.
+    /// Id, place and slots of the points of this rank, in their order.
     std::vector<std::vector<double>>
     all_points()
     {
@@ -69,6 +70,15 @@ namespace
       return rows;
     }
 
+    /// A field that no two dofs have in common.
+    double
+    field(const dealii::types::global_dof_index dof) const
+    {
+      const unsigned int i = space.local(dof);
+      return 1.0 / 3.0 + space.nodes()[i][0] + 10.0 * space.nodes()[i][1] +
+             100.0 * space.components()[i];
+    }
+
     Riedel::Grid::Body<2>              body;
     Riedel::Grid::Space<2>             space;
     Riedel::Points::MaterialPoints<2>  points;
@@ -81,7 +91,8 @@ namespace
   {
     std::vector<std::string> ids;
     for (const auto &cell : state.space.dof_handler().active_cell_iterators())
-      ids.push_back(cell->id().to_string());
+      if (cell->is_locally_owned())
+        ids.push_back(cell->id().to_string());
     return ids;
   }
 
@@ -90,45 +101,78 @@ namespace
   {
     return {vector.begin(), vector.end()};
   }
+
+  /// Do the dofs of this rank have the values of State::field()?
+  void
+  check_solution(const State &state)
+  {
+    double largest_error = 0.0;
+    for (const auto dof : state.space.owned())
+      largest_error =
+        std::max(largest_error,
+                 std::abs(state.solution(dof) - state.field(dof)));
+    CHECK(largest_error < 1e-13);
+    CHECK(state.other.size() == state.solution.size());
+    CHECK(state.other.l2_norm() == 0.0);
+  }
+
+  /// All points of all ranks by their numbers, on rank 0.
+  std::vector<std::vector<double>>
+  gathered(const std::vector<std::vector<double>> &here,
+           const MPI_Comm                          communicator)
+  {
+    std::vector<std::vector<double>> all;
+    for (const auto &rows : Ranks::gather(communicator, here))
+      all.insert(all.end(), rows.begin(), rows.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
 } // namespace
 
-TEST_CASE("a checkpoint keeps an adapted grid, its dofs and points", "[unit]")
+// On several ranks, too: tests/CMakeLists.txt.
+TEST_CASE("a checkpoint keeps an adapted grid, its dofs and points",
+          "[unit][ranks]")
 {
-  const fs::path results = fs::temp_directory_path() / "riedel_checkpoints";
-  fs::remove_all(results);
+  const MPI_Comm world         = MPI_COMM_WORLD;
+  const bool     is_first_rank = Ranks::this_mpi_process(world) == 0;
+  const unsigned n_ranks       = Ranks::n_mpi_processes(world);
+  const fs::path results       = fs::temp_directory_path() /
+                           ("riedel_checkpoints_" + std::to_string(n_ranks));
+  if (is_first_rank)
+    fs::remove_all(results);
   const auto scene =
     Riedel::Scene::read_scene<2>(RIEDEL_TEST_DIR "/specimen/case.prm",
                                  {"Grid/Cells=4,2", "Grid/Refinements=1"});
 
-  State first(scene);
-  first.refine_near({0.03, 0.02});
-  first.refine_near({0.07, 0.04});
-  first.refine_near({0.03, 0.02});
+  State first(world, scene);
+  first.refine({0.030, 0.021});
+  first.refine({0.071, 0.041});
+  first.refine({0.030, 0.021});
   // a hole in the levels: its places are used again
   for (const auto &cell :
        first.body.triangulation().active_cell_iterators_on_level(2))
-    if (cell->center()[0] > 0.05)
+    if (cell->is_locally_owned() && cell->center()[0] > 0.05)
       cell->set_coarsen_flag();
   first.body.triangulation().execute_coarsening_and_refinement();
-  first.refine_near({0.01, 0.01});
-  REQUIRE(first.body.triangulation().n_levels() == 4);
+  first.refine({0.011, 0.011});
+  REQUIRE(first.body.triangulation().n_global_levels() == 4);
+  REQUIRE(first.body.triangulation().n_global_active_cells() == 50);
 
   first.space.distribute();
   first.points.seed(first.supports.quadrature(),
                     scene.initial_state,
                     first.body.extent());
   first.solution = first.space.owned_vector();
-  for (unsigned int i = 0; i < first.space.nodes().size(); ++i)
-    first.solution.begin()[i] = 1.0 / 3.0 + first.space.nodes()[i][0] +
-                                10.0 * first.space.nodes()[i][1] +
-                                100.0 * first.space.components()[i];
+  for (const auto dof : first.space.owned())
+    first.solution(dof) = first.field(dof);
+  first.solution.compress(dealii::VectorOperation::insert);
   const auto saved_points = first.all_points();
 
   const std::vector<Setting> settings = {{"Grid/Cells", "4,2", "1"}};
   Parameters                 parameters;
   parameters.every_steps   = 3;
   parameters.every_minutes = 0.0;
-  Checkpoints<2> writer(MPI_COMM_WORLD, results.string(), parameters, settings);
+  Checkpoints<2> writer(world, results.string(), parameters, settings);
   CHECK_FALSE(writer.is_due(0));
   CHECK_FALSE(writer.is_due(2));
   CHECK(writer.is_due(3));
@@ -146,11 +190,10 @@ TEST_CASE("a checkpoint keeps an adapted grid, its dofs and points", "[unit]")
   CHECK(writer.is_due_at_end(4, true));
   write(6);
 
-  // into a body as a new run has it
   const auto read = [&](State &state, const Checkpoints<2> &reader) {
     const auto found = reader.find();
     CHECK(found.load == 0.25);
-    CHECK(found.ranks == 1);
+    CHECK(found.ranks == n_ranks);
     double       number = 0.0;
     unsigned int step   = 0;
     Riedel::Checkpoint::unpack(reader.read_state(found.name),
@@ -162,26 +205,14 @@ TEST_CASE("a checkpoint keeps an adapted grid, its dofs and points", "[unit]")
     reader.read_bodies(found.name, state.bodies());
     return found;
   };
-  const Checkpoints<2> reader(MPI_COMM_WORLD,
-                              results.string(),
-                              parameters,
-                              settings);
-  State                second(scene);
+
+  // into a body as a new run has it
+  const Checkpoints<2> reader(world, results.string(), parameters, settings);
+  State                second(world, scene);
   CHECK(read(second, reader).step == 6);
-  CHECK(second.space.dof_handler().n_dofs() ==
-        first.space.dof_handler().n_dofs());
-  double largest_error = 0.0;
-  for (unsigned int i = 0; i < second.space.nodes().size(); ++i)
-    largest_error = std::max(largest_error,
-                             std::abs(second.solution.begin()[i] - 1.0 / 3.0 -
-                                      second.space.nodes()[i][0] -
-                                      10.0 * second.space.nodes()[i][1] -
-                                      100.0 * second.space.components()[i]));
-  CHECK(largest_error < 1e-13);
-  CHECK(second.other.size() == second.solution.size());
-  CHECK(second.other.l2_norm() == 0.0);
-  auto loaded_points = second.all_points();
-  CHECK(loaded_points.size() == saved_points.size());
+  check_solution(second);
+  const auto loaded_points = second.all_points();
+  CHECK(gathered(loaded_points, world) == gathered(saved_points, world));
 
   // the run that goes on reads it, too, and is then the same in every number
   // and every order
@@ -189,30 +220,43 @@ TEST_CASE("a checkpoint keeps an adapted grid, its dofs and points", "[unit]")
   CHECK(active_cells(first) == active_cells(second));
   CHECK(values(first.solution) == values(second.solution));
   CHECK(first.all_points() == loaded_points);
-  std::sort(loaded_points.begin(), loaded_points.end());
-  auto sorted = saved_points;
-  std::sort(sorted.begin(), sorted.end());
-  CHECK(loaded_points == sorted);
+
+  // on one rank, by every rank
+  const Checkpoints<2> lonely_reader(MPI_COMM_SELF,
+                                     results.string(),
+                                     parameters,
+                                     settings);
+  State                alone(MPI_COMM_SELF, scene);
+  read(alone, lonely_reader);
+  check_solution(alone);
+  const auto expected = gathered(saved_points, world);
+  const auto ours     = gathered(alone.all_points(), MPI_COMM_SELF);
+  if (is_first_rank)
+    CHECK(ours == expected);
 
   // a damaged one is passed over
-  fs::resize_file(results / "checkpoints" / "000006" / "grid", 100);
+  MPI_Barrier(world);
+  if (is_first_rank)
+    fs::resize_file(results / "checkpoints" / "000006" / "grid", 100);
   const auto found = read(second, reader);
   CHECK(found.step == 3);
   REQUIRE(found.warnings.size() == 1);
   CHECK_THAT(found.warnings[0], Contains("grid has 100 bytes"));
-  CHECK(second.all_points() == first.all_points());
+  CHECK(second.all_points() == loaded_points);
 
-  const Checkpoints<2> other(MPI_COMM_WORLD,
+  const Checkpoints<2> other(world,
                              results.string(),
                              parameters,
                              {{"Grid/Cells", "8,4", "1"}});
   CHECK_THROWS_WITH(other.find(),
                     Contains("Grid/Cells: \"4,2\" in the checkpoint, \"8,4\""));
 
-  fs::remove(results / "checkpoints" / "000003" / "state");
+  if (is_first_rank)
+    fs::remove(results / "checkpoints" / "000003" / "state");
   CHECK_THROWS_AS(reader.find(), Riedel::InputError);
   CHECK_THROWS_WITH(reader.find(),
                     Contains("no checkpoint") && Contains("--overwrite") &&
                       Contains("state is missing"));
-  fs::remove_all(results);
+  if (is_first_rank)
+    fs::remove_all(results);
 }
