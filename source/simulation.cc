@@ -3,6 +3,7 @@
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
+#include <riedel/points/point_sums.h>
 #include <riedel/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -52,12 +53,17 @@ namespace Riedel
     , wall_start(std::chrono::steady_clock::now())
     , body(communicator, scene.geometry, scene.grid)
     , space(body.triangulation(), scene.grid, scene.materials.is_micropolar())
-    , points(body.triangulation(), scene.materials)
-    , supports(
+    , points(body.triangulation(),
+             scene.materials,
+             scene.grid.configuration == Grid::ReferenceConfiguration::current ?
+               &scene.moving_points :
+               nullptr)
+    , supports(Points::SupportBuilder<dim>::create(
         space,
         scene.grid,
-        !scene.materials.materials.front().law->is_geometrically_linear())
-    , steps(scene.loading, scene.solver)
+        scene.moving_points,
+        !scene.materials.materials.front().law->is_geometrically_linear()))
+    , steps(scene.loading, scene.solver, points.are_moving())
     , extrapolation(
         scene.solver.predictor == Equilibrium::Predictor::previous ||
             (scene.solver.predictor == Equilibrium::Predictor::automatic &&
@@ -128,10 +134,13 @@ namespace Riedel
   void
   Simulation<dim>::start()
   {
-    points.seed(supports.quadrature(), scene.initial_state, body.extent());
+    if (points.are_moving())
+      space.set_frame(Grid::Frame<dim>(body.grid_extent()));
+    points.seed(supports->quadrature(), scene.initial_state, body.extent());
     solution = space.owned_vector();
     prepare();
-    forces_before = balance->external_forces();
+    forces_before          = balance->external_forces();
+    boundary_displacements = averages(relevant_solution);
 
     say_hello();
     // how far the initial state is from balance under the initial loads
@@ -168,9 +177,8 @@ namespace Riedel
   Simulation<dim>::prepare()
   {
     auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
-    supports.rebuild(points);
     space.gather(solution, relevant_solution);
-    supports.update(relevant_solution, points);
+    supports->rebuild(relevant_solution, points);
     averages =
       Analysis::BoundaryAverages<dim>(scene.geometry.names(), body, space);
     balance =
@@ -180,14 +188,14 @@ namespace Riedel
                                                   body,
                                                   space,
                                                   points,
-                                                  supports.supports(),
+                                                  supports->supports(),
                                                   timer);
     scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
     increment = space.owned_vector();
     set_up.reset();
 
     LinearAlgebra::Vector r = space.owned_vector();
-    balance->begin_step(relevant_solution, load);
+    balance->begin_step(relevant_solution, load, load);
     outcome.residual = balance->residual(increment, r);
   }
 
@@ -198,7 +206,10 @@ namespace Riedel
   Simulation<dim>::solve_step()
   {
     const double step = steps.next(load, next_mark(scene.output.fields_every));
-    balance->begin_step(relevant_solution, load + step);
+    balance->begin_step(relevant_solution,
+                        load,
+                        load + step,
+                        steps.share_of_uncut());
 
     outcome = first_guess(step);
     if (outcome.failure.empty())
@@ -264,6 +275,10 @@ namespace Riedel
     forces_before = balance->external_forces();
     stress_work += balance->stress_work();
 
+    std::vector<double> du;
+    space.gather(increment, du);
+    if (points.are_moving())
+      balance->continue_to_unseen(increment);
     extrapolation.accept(steps.tried(), increment);
     steps.succeeded(outcome.iterations);
     load += steps.tried();
@@ -271,10 +286,47 @@ namespace Riedel
     n_floored_points += outcome.residual.sweep.total.floored;
     n_clamped_points += outcome.residual.sweep.total.clamped;
 
-    solution += increment;
-    space.gather(solution, relevant_solution);
-    points.accept();
-    supports.update(relevant_solution, points);
+    if (points.are_moving())
+      space.set_frame(balance->walls(load));
+    else
+      {
+        solution += increment;
+        space.gather(solution, relevant_solution);
+      }
+    supports->accept(relevant_solution,
+                     du,
+                     balance->point_increments(),
+                     points);
+    add_boundary_displacements(du);
+    if (points.are_moving() && balance->supports_changed())
+      scheme->distrust();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::add_boundary_displacements(const std::vector<double> &du)
+  {
+    const auto added = averages(du);
+    for (std::size_t b = 0; b < added.size(); ++b)
+      for (std::size_t c = 0; c < added[b].size(); ++c)
+        boundary_displacements[b][c] += added[b][c];
+    if (!points.are_moving())
+      return;
+    // Where the grid does not end with the body: the side of the box around
+    // all points.
+    const auto extent = Points::extent(points, communicator);
+    for (std::size_t b = 0; b < added.size(); ++b)
+      {
+        const auto         name = scene.geometry.names()[b];
+        const unsigned int side = body.boundary(name), d = side / 2;
+        if (!scene.grid.ends_at(side))
+          boundary_displacements[b][d] =
+            side % 2 == 0 ?
+              extent.lower_bound(d) - body.extent().lower_bound(d) :
+              extent.upper_bound(d) - body.extent().upper_bound(d);
+      }
   }
 
 
@@ -291,7 +343,7 @@ namespace Riedel
     last_bands = load;
 
     const auto field =
-      Analysis::collect_deformed_field(space, relevant_solution, points);
+      Analysis::collect_deformed_field(space, shown_solution(), points);
     Analysis::BandMeasureOptions options;
     options.grain_size = grain_size;
     if (is_first_rank)
@@ -324,7 +376,18 @@ namespace Riedel
       return;
     const Timer::Scope scope(timer, "files of fields");
     last_fields = load;
-    fields.write(load, space, relevant_solution, points);
+    fields.write(load, space, shown_solution(), points);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Simulation<dim>::shown_solution() const
+  {
+    return points.are_moving() ?
+             Points::nodal_means(space, points, supports->supports()) :
+             relevant_solution;
   }
 
 
@@ -359,7 +422,7 @@ namespace Riedel
     if (last_fields < load)
       {
         const Timer::Scope scope(timer, "files of fields");
-        fields.write(load, space, relevant_solution, points);
+        fields.write(load, space, shown_solution(), points);
       }
     const auto record   = make_record();
     auto       law_cost = earlier_law_cost;
@@ -389,7 +452,7 @@ namespace Riedel
     record.step          = n_steps == 0 ? 0.0 : steps.tried();
     record.cuts          = steps.n_cuts();
     record.boundaries    = scene.geometry.names();
-    record.displacements = averages(relevant_solution);
+    record.displacements = boundary_displacements;
     for (const auto &boundary : scene.boundary_conditions.boundaries)
       record.supported.push_back(boundary.name);
     record.reactions      = balance->reactions();

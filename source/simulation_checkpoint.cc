@@ -19,7 +19,13 @@ namespace Riedel
   {
     archive &n_steps &load &steps &extrapolation &points;
 
-    archive &external_work &stress_work &n_floored_points &n_clamped_points;
+    Grid::Frame<dim> frame = space.frame();
+    archive         &frame;
+    space.set_frame(frame);
+
+    archive &external_work &stress_work &boundary_displacements;
+
+    archive &n_floored_points &n_clamped_points;
 
     archive &bands &last_bands &last_fields &fields &history &bands_table;
   }

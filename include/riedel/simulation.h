@@ -16,8 +16,8 @@
 #include <riedel/output/rows.h>
 #include <riedel/output/table.h>
 #include <riedel/output/watch.h>
-#include <riedel/points/initial_supports.h>
 #include <riedel/points/material_points.h>
+#include <riedel/points/support_builder.h>
 #include <riedel/scene/scene.h>
 #include <riedel/timer.h>
 
@@ -64,6 +64,8 @@ namespace Riedel
     void
     accept_step();
     void
+    add_boundary_displacements(const std::vector<double> &du);
+    void
     record_step();
     void
     write_fields();
@@ -71,6 +73,10 @@ namespace Riedel
     measure_bands();
     void
     finish();
+
+    /// Displacements and rotations at the relevant dofs, for people.
+    std::vector<double>
+    shown_solution() const;
 
     /// Effort since the start of the run, also of what it goes on with.
     struct Spent
@@ -121,15 +127,15 @@ namespace Riedel
     Timer                                       timer;
     const std::chrono::steady_clock::time_point wall_start;
 
-    Grid::Body<dim>                            body;
-    Grid::Space<dim>                           space;
-    Points::MaterialPoints<dim>                points;
-    Points::InitialSupports<dim>               supports;
-    std::unique_ptr<Equilibrium::Balance<dim>> balance;
-    std::unique_ptr<Equilibrium::Scheme<dim>>  scheme;
-    Equilibrium::StepControl                   steps;
-    Equilibrium::Extrapolation                 extrapolation;
-    Analysis::BoundaryAverages<dim>            averages;
+    Grid::Body<dim>                              body;
+    Grid::Space<dim>                             space;
+    Points::MaterialPoints<dim>                  points;
+    std::unique_ptr<Points::SupportBuilder<dim>> supports;
+    std::unique_ptr<Equilibrium::Balance<dim>>   balance;
+    std::unique_ptr<Equilibrium::Scheme<dim>>    scheme;
+    Equilibrium::StepControl                     steps;
+    Equilibrium::Extrapolation                   extrapolation;
+    Analysis::BoundaryAverages<dim>              averages;
 
     Output::Log         log;
     Output::Table       history;
@@ -147,7 +153,9 @@ namespace Riedel
     double                load    = 0.0;
     LinearAlgebra::Vector solution;
     std::vector<double>   relevant_solution;
-    LinearAlgebra::Vector increment;
+    /// mean displacements of the boundaries since the start
+    std::vector<std::vector<double>> boundary_displacements;
+    LinearAlgebra::Vector            increment;
     LinearAlgebra::Vector forces_before; ///< external, last accepted step
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;

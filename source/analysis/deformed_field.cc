@@ -53,23 +53,30 @@ namespace Riedel::Analysis
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<Node>                            nodes;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() &&
+          points.particles().n_particles_in_cell(cell) > 0)
         {
           cell->get_dof_indices(dofs);
           for (const Place &place : places)
             {
               double value[3] = {0.0, 0.0, 0.0};
               for (const unsigned int v : cell->vertex_indices())
-                for (unsigned int d = 0; d < 2; ++d)
-                  value[d] += place.vertices[v] * cell->vertex(v)[d];
+                {
+                  const auto x = space.frame().to_space(cell->vertex(v));
+                  for (unsigned int d = 0; d < 2; ++d)
+                    value[d] += place.vertices[v] * x[d];
+                }
               for (unsigned int k = 0; k < dofs.size(); ++k)
-                value[fe.system_to_component_index(k).first] +=
-                  place.shapes[k] * solution[space.local(dofs[k])];
+                {
+                  const auto c = fe.system_to_component_index(k).first;
+                  if (c == 2 || !points.are_moving())
+                    value[c] +=
+                      place.shapes[k] * solution[space.local(dofs[k])];
+                }
               nodes.push_back({value[0], value[1], value[2]});
             }
         }
 
-    const auto         &place      = points.place;
     const unsigned int  void_ratio = points.layout().find("void_ratio");
     std::vector<double> samples;
     if (void_ratio != Material::StateLayout::absent)
@@ -77,8 +84,7 @@ namespace Riedel::Analysis
         {
           const double *row = points.row(p);
           for (unsigned int d = 0; d < 2; ++d)
-            samples.push_back(points.initial_position(p)[d] +
-                              row[place.displacement + d]);
+            samples.push_back(points.position(p)[d]);
           samples.push_back(row[void_ratio]);
         }
 

@@ -172,12 +172,11 @@ namespace Riedel::Equilibrium
 
   template <int dim>
   SweepReport
-  Assembly<dim>::forces(const std::vector<double> &u,
-                        const std::vector<double> &du,
+  Assembly<dim>::forces(const std::vector<double> &du,
                         std::vector<double>       &forces,
                         std::vector<double>       &virtual_forces)
   {
-    return sweep(u, du, forces, virtual_forces, nullptr, nullptr, nullptr);
+    return sweep(du, forces, virtual_forces, nullptr, nullptr, nullptr);
   }
 
 
@@ -185,7 +184,6 @@ namespace Riedel::Equilibrium
   template <int dim>
   SweepReport
   Assembly<dim>::forces_and_stiffness(
-    const std::vector<double>               &u,
     const std::vector<double>               &du,
     const dealii::AffineConstraints<double> &constraints,
     std::vector<double>                     &forces,
@@ -194,15 +192,14 @@ namespace Riedel::Equilibrium
     LinearAlgebra::Vector                   &right_hand_side)
   {
     return sweep(
-      u, du, forces, virtual_forces, &constraints, &matrix, &right_hand_side);
+      du, forces, virtual_forces, &constraints, &matrix, &right_hand_side);
   }
 
 
 
   template <int dim>
   SweepReport
-  Assembly<dim>::sweep(const std::vector<double>               &u,
-                       const std::vector<double>               &du,
+  Assembly<dim>::sweep(const std::vector<double>               &du,
                        std::vector<double>                     &forces,
                        std::vector<double>                     &virtual_forces,
                        const dealii::AffineConstraints<double> *constraints,
@@ -293,12 +290,12 @@ namespace Riedel::Equilibrium
                   {
                     const double *weight =
                       &supports->weight[patch.first_weight + q * patch.n_nodes];
-                    dealii::Point<dim> x = points->initial_position(p);
+                    dealii::Point<dim> x = points->position(p);
                     for (unsigned int d = 0; d < dim; ++d)
                       for (unsigned int a = 0; a < patch.n_nodes; ++a)
                         {
                           const unsigned int dof = dofs[d * patch.n_nodes + a];
-                          x[d] += weight[a] * (u[dof] + du[dof]);
+                          x[d] += weight[a] * du[dof];
                         }
                     virtual_stress->evaluate(
                       x, &increments[p * n], n, field, D);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/balance.h>
+#include <riedel/points/point_sums.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -61,12 +62,13 @@ namespace Riedel::Equilibrium
     : boundary_parameters(&boundary_parameters)
     , loading(&loading)
     , parameters(&solver_parameters)
+    , body(&body)
     , space(&space)
     , points(&points)
     , supports(&supports)
     , timer(&timer)
     , conditions(boundary_parameters, body, space)
-    , loads(boundary_parameters, loading, body, space)
+    , loads(boundary_parameters, loading, body, space, !points.are_moving())
     , virtual_stress(boundary_parameters)
     , assembly(points, supports, virtual_stress)
     , length(0.0)
@@ -75,34 +77,14 @@ namespace Riedel::Equilibrium
       length = std::max(length, material.law->length());
     if (length == 0.0)
       length = 1.0; // no rotations, or a law without bending stiffness
-
-    // Dofs of prescribed values keep their diagonal entry.
-    LinearAlgebra::SparsityPattern               pattern(space.owned(),
-                                           space.owned(),
-                                           space.relevant(),
-                                           space.communicator());
-    std::vector<dealii::types::global_dof_index> dofs;
-    for (const auto &patch : supports.patches)
-      {
-        dofs.assign(supports.global_dofs.begin() + patch.first_dof,
-                    supports.global_dofs.begin() + patch.first_dof +
-                      patch.n_dofs);
-        conditions.homogeneous().add_entries_local_to_global(dofs,
-                                                             pattern,
-                                                             false);
-      }
-    pattern.compress();
-    matrix.reinit(pattern);
-    solver = DirectSolver::create(solver_parameters.solver, matrix);
+    if (points.are_moving())
+      stabilisation = std::make_unique<SurfaceStabilisation<dim>>(
+        space, points.moving_parameters().surface_stabilisation, length);
 
     external        = space.owned_vector();
     reaction        = space.owned_vector();
     squared_lengths = space.owned_vector();
-    is_prescribed.assign(space.owned().n_elements(), false);
     is_rotation.assign(space.owned().n_elements(), false);
-    for (const auto &dof : conditions.prescribed())
-      if (dof.owned)
-        is_prescribed[space.owned_place(dof.dof)] = true;
     for (unsigned int i = 0; i < is_rotation.size(); ++i)
       {
         const unsigned int local =
@@ -110,22 +92,165 @@ namespace Riedel::Equilibrium
         is_rotation[i]             = space.components()[local] >= dim;
         squared_lengths.begin()[i] = is_rotation[i] ? length * length : 1.0;
       }
+    supports_changed();
+  }
+
+
+
+  template <int dim>
+  bool
+  Balance<dim>::supports_changed()
+  {
+    const std::vector<bool> fixed_before = conditions.is_fixed();
+    has_matrix                           = false;
+    assembly.resize();
+    conditions.set_unseen(supports->unseen_dofs);
+    if (stabilisation)
+      stabilisation->rebuild(*points, *supports);
+    is_prescribed.assign(space->owned().n_elements(), false);
+    for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
+      if (conditions.is_fixed()[i] &&
+          space->owned().is_element(space->relevant().nth_index_in_set(i)))
+        is_prescribed[space->owned_place(i)] = true;
+    return dealii::Utilities::MPI::sum(fixed_before == conditions.is_fixed() ?
+                                         0 :
+                                         1,
+                                       space->communicator()) > 0;
   }
 
 
 
   template <int dim>
   void
-  Balance<dim>::begin_step(const std::vector<double> &u, const double s)
+  Balance<dim>::continue_to_unseen(LinearAlgebra::Vector &du) const
+  {
+    std::vector<bool> is_unseen(space->relevant().n_elements(), false);
+    for (const unsigned int dof : supports->unseen_dofs)
+      is_unseen[dof] = true;
+    std::vector<double> values, sum(is_unseen.size(), 0.0), count = sum;
+    space->gather(du, values);
+    for (const auto &cell : space->dof_handler().active_cell_iterators())
+      if (!cell->is_artificial())
+        for (unsigned int c = 0; c < space->n_components(); ++c)
+          {
+            double       mean   = 0.0;
+            unsigned int n_seen = 0;
+            for (const unsigned int v : cell->vertex_indices())
+              {
+                const unsigned int dof =
+                  space->local(cell->vertex_dof_index(v, 0) + c);
+                if (!is_unseen[dof])
+                  {
+                    mean += values[dof];
+                    ++n_seen;
+                  }
+              }
+            if (n_seen > 0)
+              for (const unsigned int v : cell->vertex_indices())
+                {
+                  const unsigned int dof =
+                    space->local(cell->vertex_dof_index(v, 0) + c);
+                  sum[dof] += mean / n_seen;
+                  count[dof] += 1.0;
+                }
+          }
+    for (const unsigned int dof : supports->unseen_dofs)
+      if (count[dof] > 0.0 &&
+          space->owned().is_element(space->relevant().nth_index_in_set(dof)))
+        du.begin()[space->owned_place(dof)] = sum[dof] / count[dof];
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::make_matrix()
+  {
+    // Dofs of prescribed values keep their diagonal entry.
+    LinearAlgebra::SparsityPattern               pattern(space->owned(),
+                                           space->owned(),
+                                           space->relevant(),
+                                           space->communicator());
+    std::vector<dealii::types::global_dof_index> dofs;
+    for (const auto &patch : supports->patches)
+      {
+        dofs.assign(supports->global_dofs.begin() + patch.first_dof,
+                    supports->global_dofs.begin() + patch.first_dof +
+                      patch.n_dofs);
+        conditions.homogeneous().add_entries_local_to_global(dofs,
+                                                             pattern,
+                                                             false);
+      }
+    if (stabilisation)
+      for (const auto &coupled : stabilisation->couplings())
+        conditions.homogeneous().add_entries_local_to_global(coupled,
+                                                             pattern,
+                                                             false);
+    // Fixed dofs that no point sees have no other entry.
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      if (is_prescribed[i])
+        {
+          const auto dof = space->owned().nth_index_in_set(i);
+          pattern.add(dof, dof);
+        }
+    pattern.compress();
+    solver.reset();
+    matrix.reinit(pattern);
+    solver     = DirectSolver::create(parameters->solver, matrix);
+    has_matrix = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::begin_step(const std::vector<double> &u,
+                           const double               from,
+                           const double               to,
+                           const double               release)
   {
     start = u;
     assembly.begin_step();
-    load = s;
+    held.clear();
+    const auto set_load = [&](const double s) {
+      load = s;
+      body_forces.assign(start.size(), 0.0);
+      loads.add_body_forces(*supports, *points, load, body_forces);
+      if (points->are_moving())
+        find_extent();
+    };
+    if (points->are_moving() && release < 1.0)
+      {
+        set_load(from);
+        const LinearAlgebra::Vector zero      = space->owned_vector();
+        LinearAlgebra::Vector       imbalance = space->owned_vector();
+        residual(zero, imbalance);
+        imbalance *= 1.0 - release;
+        held = imbalance;
+      }
+
+    set_load(to);
     prescribed.assign(start.size(), 0.0);
     for (const auto &dof : conditions.prescribed())
-      prescribed[dof.dof] = conditions.value(dof, s) - start[dof.dof];
-    body_forces.assign(start.size(), 0.0);
-    loads.add_body_forces(*supports, *points, load, body_forces);
+      prescribed[dof.dof] =
+        conditions.value(dof, to) -
+        (points->are_moving() ? conditions.value(dof, from) : start[dof.dof]);
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::find_extent()
+  {
+    const auto present = Points::extent(*points, space->communicator());
+    const auto [a, b]  = present.get_boundary_points();
+    // between walls the body is where they will be at the end of the step
+    const auto frame = conditions.walls(load);
+    loads.set_extent(body->extent(),
+                     dealii::BoundingBox<dim>(std::make_pair(
+                       frame.to_space(space->frame().to_grid(a)),
+                       frame.to_space(space->frame().to_grid(b)))));
   }
 
 
@@ -202,10 +327,13 @@ namespace Riedel::Equilibrium
     Residual result;
     {
       const Timer::Scope scope(*timer, "assembly of the stiffness");
+      if (!has_matrix)
+        make_matrix();
       matrix          = 0.0;
       right_hand_side = 0.0;
       result          = evaluate(du, r, &constraints, &right_hand_side);
       matrix.compress(dealii::VectorOperation::add);
+      set_missing_diagonal();
       right_hand_side.compress(dealii::VectorOperation::add);
     }
     if (!result.refused)
@@ -225,6 +353,29 @@ namespace Riedel::Equilibrium
         factorised = true;
       }
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::set_missing_diagonal()
+  {
+    // As stiff as the stiffest dof: if points see the node while this factor is
+    // in use, it must not give it large corrections.
+    std::vector<double> largest(2, 0.0), all(2);
+    for (unsigned int i = 0; i < is_rotation.size(); ++i)
+      largest[is_rotation[i]] =
+        std::max(largest[is_rotation[i]],
+                 matrix.diag_element(space->owned().nth_index_in_set(i)));
+    dealii::Utilities::MPI::max(largest, space->communicator(), all);
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      {
+        const auto dof = space->owned().nth_index_in_set(i);
+        if (is_prescribed[i] && matrix.diag_element(dof) == 0.0)
+          matrix.set(dof, dof, all[is_rotation[i]]);
+      }
+    matrix.compress(dealii::VectorOperation::insert);
   }
 
 
@@ -298,15 +449,21 @@ namespace Riedel::Equilibrium
     internal.assign(increment.size(), 0.0);
     virtual_forces.assign(increment.size(), 0.0);
     Residual result;
-    result.sweep =
-      with_matrix ? assembly.forces_and_stiffness(start,
-                                                  increment,
-                                                  *constraints,
-                                                  internal,
-                                                  virtual_forces,
-                                                  matrix,
-                                                  *right_hand_side) :
-                    assembly.forces(start, increment, internal, virtual_forces);
+    result.sweep = with_matrix ?
+                     assembly.forces_and_stiffness(increment,
+                                                   *constraints,
+                                                   internal,
+                                                   virtual_forces,
+                                                   matrix,
+                                                   *right_hand_side) :
+                     assembly.forces(increment, internal, virtual_forces);
+
+    if (stabilisation)
+      {
+        stabilisation->add_forces(increment, internal);
+        if (with_matrix)
+          stabilisation->add_stiffness(add_matrix);
+      }
 
     // Forces at hanging nodes go to their masters.
     for (const auto &line : space->hanging_nodes().get_lines())
@@ -333,9 +490,10 @@ namespace Riedel::Equilibrium
         external += virtual_vector;
       }
 
-    double *out          = external.begin();
-    double *r_out        = r.begin();
-    double *reaction_out = reaction.begin();
+    double       *out            = external.begin();
+    double       *r_out          = r.begin();
+    double       *reaction_out   = reaction.begin();
+    const double *held_imbalance = held.size() > 0 ? held.begin() : nullptr;
     // squares: free forces, free moments, reactions, loads; counts of points
     std::vector<double> sums(9, 0.0);
     for (unsigned int i = 0; i < is_prescribed.size(); ++i)
@@ -351,6 +509,8 @@ namespace Riedel::Equilibrium
         else
           {
             r_out[i] -= out[i];
+            if (held_imbalance != nullptr)
+              r_out[i] -= held_imbalance[i];
             reaction_out[i] = 0.0;
             sums[is_rotation[i] ? 1 : 0] += scale * r_out[i] * r_out[i];
           }

@@ -10,6 +10,7 @@ namespace Riedel::Equilibrium
     const Grid::Body<dim>                  &body,
     const Grid::Space<dim>                 &space)
     : parameters(&parameters)
+    , body(&body)
     , space(&space)
   {
     std::vector<bool> taken(space.relevant().n_elements(), false);
@@ -35,8 +36,51 @@ namespace Riedel::Equilibrium
                 }
           }
       }
-    constraints =
-      with_increments(std::vector<double>(space.relevant().n_elements(), 0.0));
+    set_unseen({});
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::set_unseen(const std::vector<unsigned int> &dofs)
+  {
+    const unsigned int n = space->relevant().n_elements();
+    fixed.assign(n, false);
+    for (const Prescribed &dof : list)
+      fixed[dof.dof] = true;
+    unseen.clear();
+    for (const unsigned int dof : dofs)
+      if (!fixed[dof])
+        {
+          fixed[dof] = true;
+          unseen.push_back(dof);
+        }
+    constraints = with_increments(std::vector<double>(n, 0.0));
+  }
+
+
+
+  template <int dim>
+  Grid::Frame<dim>
+  BoundaryConditions<dim>::walls(const double s) const
+  {
+    const auto        &grid   = body->grid_extent();
+    Grid::Frame<dim>   result = Grid::Frame<dim>(grid);
+    dealii::Point<dim> corners[2];
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int end = 0; end < 2; ++end)
+        {
+          dealii::Point<dim> middle = grid.center();
+          middle[d] = end == 0 ? grid.lower_bound(d) : grid.upper_bound(d);
+          corners[end][d] = middle[d];
+          for (const auto &boundary : parameters->boundaries)
+            if (body->boundary(boundary.name) == 2 * d + end &&
+                boundary.displacement[d].given())
+              corners[end][d] += boundary.displacement[d](middle, s);
+        }
+    result.move_to(corners[0], corners[1]);
+    return result;
   }
 
 
@@ -68,6 +112,8 @@ namespace Riedel::Equilibrium
         result.add_line(global);
         result.set_inhomogeneity(global, increment[dof.dof]);
       }
+    for (const unsigned int dof : unseen)
+      result.add_line(space->relevant().nth_index_in_set(dof));
     result.close();
     return result;
   }

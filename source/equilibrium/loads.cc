@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/loads.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 
@@ -38,9 +39,11 @@ namespace Riedel::Equilibrium
   Loads<dim>::Loads(const BoundaryConditionParameters<dim> &boundaries,
                     const LoadingParameters<dim>           &loading,
                     const Grid::Body<dim>                  &body,
-                    const Grid::Space<dim>                 &space)
+                    const Grid::Space<dim>                 &space,
+                    const bool                              body_fills_grid)
     : parameters(&boundaries)
     , loading(&loading)
+    , body(&body)
     , space(&space)
     , surface(boundaries.boundaries.size())
   {
@@ -58,7 +61,7 @@ namespace Riedel::Equilibrium
           loaded = loaded || formula.given();
         for (const auto &formula : boundary.couple_traction)
           loaded = loaded || formula.given();
-        if (!loaded)
+        if (!loaded || !body_fills_grid)
           continue;
 
         const auto id = body.boundary(boundary.name);
@@ -165,12 +168,61 @@ namespace Riedel::Equilibrium
 
   template <int dim>
   void
+  Loads<dim>::set_extent(const dealii::BoundingBox<dim> &initial,
+                         const dealii::BoundingBox<dim> &present)
+  {
+    has_extent     = true;
+    initial_extent = initial;
+    present_extent = present;
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_sides_of_extent(const double s) const
+  {
+    static_assert(dim == 2, "the area of a side is written for 2D");
+    for (unsigned int b = 0; b < surface.size(); ++b)
+      {
+        const auto &boundary = parameters->boundaries[b];
+        if (!boundary.pressure.given() ||
+            dealii::Utilities::MPI::this_mpi_process(space->communicator()) > 0)
+          continue; // the sides are summed over the ranks
+        const unsigned int id     = body->boundary(boundary.name);
+        const unsigned int normal = id / 2, across = 1 - normal;
+        const double       sign   = id % 2 == 0 ? -1.0 : 1.0;
+        const auto         middle = [&](const auto &extent) {
+          dealii::Point<dim> x = extent.center();
+          x[normal] = id % 2 == 0 ? extent.lower_bound(normal) :
+                                            extent.upper_bound(normal);
+          return x;
+        };
+        auto &side               = surface[b];
+        side.normal_area[normal] = sign * present_extent.side_length(across);
+        side.initial_normal_area[normal] =
+          sign * initial_extent.side_length(across);
+        const auto &area = boundary.area == LoadArea::initial ?
+                             side.initial_normal_area :
+                             side.normal_area;
+        side.force       = -boundary.pressure(middle(initial_extent), s) * area;
+        const auto x     = middle(present_extent);
+        side.moment      = x[0] * side.force[1] - x[1] * side.force[0];
+      }
+  }
+
+
+
+  template <int dim>
+  void
   Loads<dim>::add_surface_loads(const std::vector<double> &u,
                                 const double               s,
                                 std::vector<double>       &forces,
                                 const AddMatrix           &add_matrix) const
   {
     surface.assign(surface.size(), Surface());
+    if (has_extent)
+      add_sides_of_extent(s);
     std::vector<dealii::types::global_dof_index> global;
     std::vector<double>                          matrix;
 

@@ -104,12 +104,13 @@ namespace Riedel::Equilibrium
                           "traction refer to. On the initial area they are "
                           "dead loads: the total force stays.");
         prm.declare_entry("Load form",
-                          "surface integral",
+                          "automatic",
                           Patterns::Selection(
-                            "surface integral|virtual stress"),
+                            "automatic|surface integral|virtual stress"),
                           "How the pressure enters the equations: integrated "
                           "over the faces of the boundary, or as a virtual "
-                          "stress field in the body.");
+                          "stress field in the body; automatic is the first, "
+                          "and the second in the configuration current.");
         prm.leave_subsection();
       }
     prm.leave_subsection();
@@ -146,17 +147,29 @@ namespace Riedel::Equilibrium
             boundary.couple_traction[d] =
               read_formula<dim>(prm, section, spin<dim>("Couple traction", d));
           }
-        boundary.pressure = read_formula<dim>(prm, section, "Pressure");
-        boundary.area     = prm.get("Pressure acts on") == "initial area" ?
-                              LoadArea::initial :
-                              LoadArea::current;
-        boundary.form     = prm.get("Load form") == "virtual stress" ?
-                              LoadForm::virtual_stress :
-                              LoadForm::surface_integral;
+        boundary.pressure      = read_formula<dim>(prm, section, "Pressure");
+        boundary.area          = prm.get("Pressure acts on") == "initial area" ?
+                                   LoadArea::initial :
+                                   LoadArea::current;
+        const std::string form = prm.get("Load form");
+        boundary.form = form == "virtual stress" ? LoadForm::virtual_stress :
+                        form == "automatic"      ? LoadForm::automatic :
+                                                   LoadForm::surface_integral;
         boundaries.push_back(boundary);
         prm.leave_subsection();
       }
     prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditionParameters<dim>::choose_form(const LoadForm form)
+  {
+    for (auto &boundary : boundaries)
+      if (boundary.form == LoadForm::automatic)
+        boundary.form = form;
   }
 
 

@@ -17,6 +17,8 @@ namespace Riedel::Equilibrium
       last = rest;
     else if (!fixed && rest < 2.0 * size)
       last = 0.5 * rest;
+    if (failures_in_a_row == 0)
+      uncut = last;
     return last;
   }
 
@@ -32,7 +34,7 @@ namespace Riedel::Equilibrium
                                     std::max(iterations, 1u));
     // a step shortened by a mark must not make the following ones small
     size =
-      std::max(last * std::clamp(factor, 0.5, 1.5), factor >= 1.0 ? size : 0.0);
+      std::max(last * std::clamp(factor, least_factor, 1.5), factor >= 1.0 ? size : 0.0);
     size = std::clamp(size, smallest, largest);
   }
 

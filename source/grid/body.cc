@@ -13,19 +13,31 @@ namespace Riedel::Grid
   namespace
   {
     template <int dim>
-    void
-    make_box(const GeometryParameters        &geometry,
-             const std::vector<unsigned int> &cells,
-             dealii::Triangulation<dim>      &tria)
+    dealii::BoundingBox<dim>
+    make_box(const GeometryParameters   &geometry,
+             const Parameters           &parameters,
+             dealii::Triangulation<dim> &tria)
     {
-      dealii::Point<dim> lower, upper;
+      dealii::Point<dim>        body_lower, body_upper, lower, upper;
+      std::vector<unsigned int> cells = parameters.cells;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          lower[d] = geometry.origin.empty() ? 0.0 : geometry.origin[d];
-          upper[d] = lower[d] + geometry.box[d];
+          const double size = geometry.box[d] / parameters.cells[d];
+          body_lower[d] = geometry.origin.empty() ? 0.0 : geometry.origin[d];
+          body_upper[d] = body_lower[d] + geometry.box[d];
+          lower[d]      = body_lower[d];
+          upper[d]      = body_upper[d];
+          if (!parameters.margin.empty())
+            {
+              lower[d] -= parameters.margin[2 * d] * size;
+              upper[d] += parameters.margin[2 * d + 1] * size;
+              cells[d] += parameters.margin[2 * d];
+              cells[d] += parameters.margin[2 * d + 1];
+            }
         }
       dealii::GridGenerator::subdivided_hyper_rectangle(
         tria, cells, lower, upper, /*colorize=*/true);
+      return dealii::BoundingBox<dim>(std::make_pair(body_lower, body_upper));
     }
 
 
@@ -63,7 +75,7 @@ namespace Riedel::Grid
     , names(geometry.boundary_names)
   {
     if (geometry.file.empty())
-      make_box(geometry, parameters.cells, tria);
+      box = make_box(geometry, parameters, tria);
     else
       read_file(geometry.file, tria);
 
@@ -75,7 +87,9 @@ namespace Riedel::Grid
                          ": its name' to Geometry/Boundary names.");
 
     // before refinement: every rank still knows all cells here
-    box = dealii::GridTools::compute_bounding_box(tria);
+    grid_box = dealii::GridTools::compute_bounding_box(tria);
+    if (!geometry.file.empty())
+      box = grid_box;
     tria.refine_global(parameters.refinements);
   }
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -185,14 +186,22 @@ namespace Riedel::Grid
                       "How often every cell is divided into four.");
     prm.declare_entry("Reference configuration",
                       "initial",
-                      Patterns::Selection("initial"),
+                      Patterns::Selection("initial|current"),
                       "Where the shape functions of a step live: \"initial\" "
-                      "is the undeformed grid, finite elements.");
+                      "is the undeformed grid, finite elements; \"current\" "
+                      "is a grid that is put back after every step while the "
+                      "points move through it, the material point method.");
+    prm.declare_entry("Margin cells",
+                      "",
+                      Patterns::List(Patterns::Integer(0, 100000), 0, 6),
+                      "Cells of the grid beyond the body, into which it can "
+                      "move: \"left, right, bottom, top\"; for the "
+                      "configuration current.");
     prm.declare_entry("Displacement degree",
                       "automatic",
                       Patterns::Selection("1|2|automatic"),
                       "Polynomial degree of the displacements; automatic is "
-                      "2.");
+                      "2, and 1 in the configuration current.");
     prm.declare_entry("Rotation degree",
                       "automatic",
                       Patterns::Selection("1|2|automatic"),
@@ -224,8 +233,14 @@ namespace Riedel::Grid
     for (const std::string &number :
          Utilities::split_string_list(prm.get("Cells")))
       cells.push_back(Utilities::string_to_int(number));
+    margin.clear();
+    for (const std::string &number :
+         Utilities::split_string_list(prm.get("Margin cells")))
+      margin.push_back(Utilities::string_to_int(number));
     refinements   = prm.get_integer("Refinements");
-    configuration = ReferenceConfiguration::initial;
+    configuration = prm.get("Reference configuration") == "current" ?
+                      ReferenceConfiguration::current :
+                      ReferenceConfiguration::initial;
 
     const auto degree = [&prm](const std::string &name,
                                const unsigned int automatic) {
@@ -234,8 +249,10 @@ namespace Riedel::Grid
                automatic :
                static_cast<unsigned int>(Utilities::string_to_int(text));
     };
-    displacement_degree = degree("Displacement degree", 2);
-    rotation_degree     = degree("Rotation degree", displacement_degree);
+    displacement_degree =
+      degree("Displacement degree",
+             configuration == ReferenceConfiguration::current ? 1 : 2);
+    rotation_degree = degree("Rotation degree", displacement_degree);
 
     const std::string text = prm.get("Strain sampling");
     if (text == "automatic")
@@ -270,6 +287,32 @@ namespace Riedel::Grid
                        " numbers of cells; in " +
                        std::to_string(geometry.dimension) + "D it needs " +
                        std::to_string(geometry.dimension) + " entries.");
+
+    if (!margin.empty() && margin.size() != 2 * geometry.dimension)
+      problems.error("Grid/Margin cells",
+                     "There are " + std::to_string(margin.size()) +
+                       " numbers; it needs " +
+                       std::to_string(2 * geometry.dimension) +
+                       ", one for each side of the body.");
+    if (configuration == ReferenceConfiguration::current)
+      {
+        if (!geometry.file.empty())
+          problems.error("Geometry/File",
+                         "The configuration current needs a grid of equal "
+                         "rectangles: give a Box.");
+        if (displacement_degree != 1 || rotation_degree != 1)
+          problems.error(
+            "Grid/Displacement degree",
+            "The configuration current needs degree 1 for displacement and "
+            "rotation: quadratic shape functions change their sign, and points "
+            "that move through them lose their stiffness.");
+      }
+    else if (std::any_of(margin.begin(),
+                         margin.end(),
+                         [](const unsigned int n) { return n > 0; }))
+      problems.error("Grid/Margin cells",
+                     "Finite elements end where the body ends. Remove it, or "
+                     "\"set Reference configuration = current\".");
 
     if (sampling == StrainSampling::assumed &&
         displacement_degree != rotation_degree)

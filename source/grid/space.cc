@@ -2,6 +2,7 @@
 #include <riedel/compat.h>
 #include <riedel/grid/space.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -32,6 +33,8 @@ namespace Riedel::Grid
                     const Parameters                 &parameters,
                     const bool                        micropolar)
     : micropolar(micropolar)
+    , reaches_into_ghost_cells(parameters.configuration ==
+                               ReferenceConfiguration::current)
     , fe(make_element<dim>(parameters, micropolar))
     , dofs(triangulation)
   {
@@ -55,6 +58,8 @@ namespace Riedel::Grid
 
     Compat::reinit_constraints(hanging, owned_dofs, relevant_dofs);
     dealii::DoFTools::make_hanging_node_constraints(dofs, hanging);
+    if (reaches_into_ghost_cells)
+      add_masters_in_ghost_cells();
     hanging.close();
 
     const unsigned int n_relevant = relevant_dofs.n_elements();
@@ -75,7 +80,25 @@ namespace Riedel::Grid
                   for (unsigned int d = 0; d < dim; ++d)
                     node_dofs[local(cell_dofs[i])][d] =
                       local(cell_dofs[fe.component_to_system_index(d, node)]);
+                // points address a node by its first dof
+                AssertThrow(
+                  !reaches_into_ghost_cells ||
+                    cell_dofs[i] ==
+                      cell_dofs[fe.component_to_system_index(0, node)] +
+                        component,
+                  dealii::ExcMessage(
+                    "The dofs of a node do not follow each other."));
               }
+        }
+    if (reaches_into_ghost_cells)
+      for (unsigned int i = 0; i < n_relevant; ++i)
+        {
+          // all dofs are at vertices, so every rank owns whole nodes
+          const unsigned int c =
+            relevant_dofs.nth_index_in_set(i) % n_components();
+          component_of_dof[i] = c;
+          for (unsigned int d = 0; d < dim; ++d)
+            node_dofs[i][d] = i - c + d;
         }
 
     node_positions.assign(n_relevant, dealii::Point<dim>());
@@ -104,6 +127,43 @@ namespace Riedel::Grid
                     static_cast<int>(relevant_dofs.nth_index_in_set(i)),
                   dealii::ExcMessage(
                     "Ghosted vectors are not ordered as the relevant dofs."));
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::add_masters_in_ghost_cells()
+  {
+    // A master may hang between larger cells itself: until no rank needs more.
+    bool complete = false;
+    while (!complete)
+      {
+        hanging.make_consistent_in_parallel(owned_dofs,
+                                            relevant_dofs,
+                                            communicator());
+        const auto n_before = relevant_dofs.n_elements();
+        for (const auto &line : hanging.get_lines())
+          for (const auto &[master, weight] : line.entries)
+            {
+              // with all components of the node
+              const auto first = master - master % n_components();
+              relevant_dofs.add_range(first, first + n_components());
+            }
+        relevant_dofs.compress();
+        complete =
+          dealii::Utilities::MPI::sum(relevant_dofs.n_elements() - n_before,
+                                      communicator()) == 0;
+
+        dealii::AffineConstraints<double> all;
+        Compat::reinit_constraints(all, owned_dofs, relevant_dofs);
+        for (const auto &line : hanging.get_lines())
+          {
+            all.add_line(line.index);
+            all.add_entries(line.index, line.entries);
+          }
+        hanging = std::move(all);
+      }
   }
 
 

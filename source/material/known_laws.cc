@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/material/hencky.h>
 #include <riedel/material/law.h>
 #include <riedel/material/linear_elastic_micropolar.h>
 #include <riedel/material/polar_hypoplastic.h>
@@ -25,7 +26,8 @@ namespace Riedel::Material
         {"hypoplastic", std::make_unique<ClassicalHypoplastic>},
         {"linear elastic micropolar",
          std::make_unique<LinearElasticMicropolar>},
-        {"linear elastic", std::make_unique<LinearElasticClassical>}};
+        {"linear elastic", std::make_unique<LinearElasticClassical>},
+        {"Hencky", std::make_unique<Hencky>}};
       return laws;
     }
   } // namespace

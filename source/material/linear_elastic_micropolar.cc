@@ -108,6 +108,15 @@ namespace Riedel::Material
 
 
   template <bool micropolar>
+  double
+  LinearElastic<micropolar>::stiffness(const double * /*state*/) const
+  {
+    return 2. * shear_modulus;
+  }
+
+
+
+  template <bool micropolar>
   void
   LinearElastic<micropolar>::initialise(const InitialState &initial,
                                         double             *state) const

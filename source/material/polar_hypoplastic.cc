@@ -134,6 +134,31 @@ namespace Riedel::Material
 
 
 
+  template <bool micropolar>
+  double
+  Hypoplastic<micropolar>::stiffness(const double *state) const
+  {
+    const double          void_ratio = state[Places<micropolar>::void_ratio];
+    std::array<double, 5> stress;
+    std::copy_n(state + stress_place, stress.size(), stress.begin());
+
+    const double floor = controls.smallest_pressure(void_ratio);
+    if (!(mean_pressure(stress) >= floor) || !is_compressive(stress))
+      stress = {{-floor, -floor, -floor, 0., 0.}};
+
+    const double trace = stress[0] + stress[1] + stress[2];
+    for (double &component : stress)
+      component /= trace;
+    const double determinant =
+      (stress[0] - 1. / 3.) * (stress[1] - 1. / 3.) - stress[3] * stress[4];
+    HypoplasticFlags                 ignored;
+    const HypoplasticFactors<double> factors(
+      constants, trace, stress[2] - 1. / 3., determinant, void_ratio, ignored);
+    return factors.f_s * factors.a_1 * factors.a_1;
+  }
+
+
+
   namespace
   {
     /**

@@ -45,9 +45,7 @@ namespace Riedel::Output
             auto         &patch = patches[p];
             const double *row   = points.row(p);
             patch.patch_index   = p;
-            patch.vertices[0]   = points.initial_position(p);
-            for (unsigned int d = 0; d < dim; ++d)
-              patch.vertices[0][d] += row[points.place.displacement + d];
+            patch.vertices[0]   = points.position(p);
             patch.data.reinit(values.size(), 1);
             fields.evaluate(row, values.data());
             for (unsigned int i = 0; i < values.size(); ++i)
@@ -195,7 +193,8 @@ namespace Riedel::Output
                           const std::vector<double>         &solution,
                           const Points::MaterialPoints<dim> &points) const
   {
-    // The deformed grid: nodal positions X + u, with ghosts.
+    // The deformed grid: nodal positions X + u, with ghosts. A grid through
+    // which points move is where it has been put back to.
     LinearAlgebra::Vector positions = space.owned_vector();
     LinearAlgebra::Vector values    = space.owned_vector();
     for (const auto dof : space.owned())
@@ -203,7 +202,10 @@ namespace Riedel::Output
         const unsigned int i = space.local(dof);
         const unsigned int c = space.components()[i];
         values(dof)          = solution[i];
-        positions(dof) = c < dim ? space.nodes()[i][c] + solution[i] : 0.0;
+        if (c < dim)
+          positions(dof) = points.are_moving() ?
+                             space.frame().to_space(space.nodes()[i])[c] :
+                             space.nodes()[i][c] + solution[i];
       }
     values.compress(dealii::VectorOperation::insert);
     positions.compress(dealii::VectorOperation::insert);
@@ -235,6 +237,10 @@ namespace Riedel::Output
 
     dealii::DataOut<dim> out;
     out.attach_dof_handler(space.dof_handler());
+    out.set_cell_selection([&points](const auto &cell) {
+      return cell->is_active() && cell->is_locally_owned() &&
+             points.particles().n_particles_in_cell(cell) > 0;
+    });
     out.add_data_vector(ghosted_values,
                         names,
                         dealii::DataOut<dim>::type_dof_data,
@@ -313,8 +319,7 @@ namespace Riedel::Output
         const double *row = points.row(p);
         id[p]             = static_cast<double>(points.id(p));
         for (unsigned int d = 0; d < dim; ++d)
-          position[d][p] =
-            points.initial_position(p)[d] + row[points.place.displacement + d];
+          position[d][p] = points.position(p)[d];
         fields.evaluate(row, values.data());
         for (unsigned int i = 0; i < values.size(); ++i)
           columns[i][p] = values[i];

@@ -150,7 +150,8 @@ namespace Riedel::Points
 
   template <int dim>
   void
-  InitialSupports<dim>::rebuild(MaterialPoints<dim> &points)
+  InitialSupports<dim>::rebuild(const std::vector<double> &solution,
+                                MaterialPoints<dim>       &points)
   {
     using ParticleIterator =
       typename dealii::Particles::ParticleHandler<dim>::particle_iterator;
@@ -248,6 +249,20 @@ namespace Riedel::Points
     result.volume.resize(order.size());
     if (parameters.sampling == Grid::StrainSampling::mean_dilatation)
       result.dilatation.resize(own.gradient.size());
+    update(solution, points);
+  }
+
+
+
+  template <int dim>
+  void
+  InitialSupports<dim>::accept(const std::vector<double> &solution,
+                               const std::vector<double> & /*du*/,
+                               const std::vector<double> & /*increments*/,
+                               MaterialPoints<dim> &points)
+  {
+    points.accept();
+    update(solution, points);
   }
 
 

@@ -3,10 +3,11 @@
 #include <riedel/points/initial_state.h>
 #include <riedel/points/material_points.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q1.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace Riedel::Points
@@ -16,7 +17,7 @@ namespace Riedel::Points
     /// The slots that every point has, then those of the laws.
     template <int dim>
     Material::StateLayout
-    make_layout(const Material::Parameters<dim> &materials)
+    make_layout(const Material::Parameters<dim> &materials, const bool has_box)
     {
       const std::string        volume_unit = (dim == 2 ? "m2" : "m3");
       const std::string        mass_unit   = (dim == 2 ? "kg/m" : "kg");
@@ -35,6 +36,18 @@ namespace Riedel::Points
                    "rad",
                    "micro-rotation since the start",
                    dim == 2 ? std::vector<std::string>{""} : axes);
+      if (has_box)
+        {
+          std::vector<std::string> components;
+          for (const std::string &i : axes)
+            for (const std::string &j : axes)
+              components.push_back(i + j);
+          layout.add("half_length", "m", "half edges of the first box", axes);
+          layout.add("deformation_gradient",
+                     "1",
+                     "deformation gradient since the start",
+                     components);
+        }
       for (const auto &material : materials.materials)
         layout.merge(material.law->layout());
       return layout;
@@ -46,18 +59,24 @@ namespace Riedel::Points
   template <int dim>
   MaterialPoints<dim>::MaterialPoints(
     dealii::parallel::distributed::Triangulation<dim> &triangulation,
-    const Material::Parameters<dim>                   &materials)
+    const Material::Parameters<dim>                   &materials,
+    const MovingPointsParameters                      *moving)
     : triangulation(&triangulation)
     , laws(&materials)
-    , slots(make_layout(materials))
-    , handler(triangulation, dealii::MappingQ1<dim>(), slots.size())
+    , moving(moving)
+    , slots(
+        make_layout(materials,
+                    moving != nullptr && moving->shape == Shape::generalised))
+    , handler(triangulation, mapping, slots.size())
   {
-    place.material       = slots.find("material");
-    place.initial_volume = slots.find("initial_volume");
-    place.volume         = slots.find("volume");
-    place.mass           = slots.find("mass");
-    place.displacement   = slots.find("displacement");
-    place.micro_rotation = slots.find("micro_rotation");
+    place.material             = slots.find("material");
+    place.initial_volume       = slots.find("initial_volume");
+    place.volume               = slots.find("volume");
+    place.mass                 = slots.find("mass");
+    place.displacement         = slots.find("displacement");
+    place.micro_rotation       = slots.find("micro_rotation");
+    place.half_length          = slots.find("half_length");
+    place.deformation_gradient = slots.find("deformation_gradient");
 
     for (const auto &material : materials.materials)
       {
@@ -84,10 +103,16 @@ namespace Riedel::Points
                                       dealii::update_quadrature_points |
                                         dealii::update_JxW_values);
 
+    const auto is_filled = [&body](const auto &cell) {
+      return cell->is_locally_owned() && body.point_inside(cell->center());
+    };
+    const unsigned int per_axis = static_cast<unsigned int>(
+      std::lround(std::pow(quadrature.size(), 1.0 / dim)));
+
     // Ids are consecutive over the ranks.
     std::uint64_t n_here = 0;
     for (const auto &cell : tria.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (is_filled(cell))
         n_here += quadrature.size();
     std::uint64_t id  = 0;
     const int     err = MPI_Exscan(
@@ -98,7 +123,7 @@ namespace Riedel::Points
     std::vector<double>     row(slots.size());
     std::vector<double>     state;
     for (const auto &cell : tria.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (is_filled(cell))
         {
           cell_values.reinit(cell);
           for (unsigned int q = 0; q < quadrature.size(); ++q)
@@ -128,6 +153,13 @@ namespace Riedel::Points
                 state_at.unit_weight(point.void_ratio) * volume / gravity;
               for (unsigned int i = 0; i < state.size(); ++i)
                 row[law_places[m][i]] = state[i];
+              if (place.half_length != Material::StateLayout::absent)
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    row[place.half_length + d] =
+                      cell->extent_in_direction(d) / (2.0 * per_axis);
+                    row[place.deformation_gradient + d * dim + d] = 1.0;
+                  }
 
               handler.insert_particle(x,
                                       quadrature.point(q),
@@ -185,8 +217,10 @@ namespace Riedel::Points
   MaterialPoints<dim>::set_order(
     const std::vector<
       typename dealii::Particles::ParticleHandler<dim>::particle_iterator>
-      &order)
+                           &order,
+    const Grid::Frame<dim> &frame)
   {
+    particle_at = order;
     rows.clear();
     ids.clear();
     positions.clear();
@@ -199,7 +233,7 @@ namespace Riedel::Points
         const unsigned int p = rows.size();
         rows.push_back(particle->get_properties().data());
         ids.push_back(particle->get_id());
-        positions.push_back(particle->get_location());
+        positions.push_back(frame.to_space(particle->get_location()));
         if (law_ranges.empty() || law_ranges.back().material != m)
           law_ranges.push_back({m, p, p});
         law_ranges.back().last = p + 1;
@@ -231,6 +265,75 @@ namespace Riedel::Points
             else
               state[i] = rows[p][places[i]];
         }
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  MaterialPoints<dim>::half_lengths(const double *row) const
+  {
+    dealii::Tensor<1, dim> lengths;
+    if (place.half_length == Material::StateLayout::absent)
+      return lengths;
+    dealii::Tensor<2, dim> F;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        F[i][j] = row[place.deformation_gradient + i * dim + j];
+    static_assert(dim == 2, "the square root of C is written for 2D");
+    const dealii::Tensor<2, dim> C = transpose(F) * F;
+    // U = (C + det(F) I) / sqrt(tr C + 2 det F)
+    const double J    = determinant(F);
+    const double root = std::sqrt(trace(C) + 2.0 * J);
+    for (unsigned int d = 0; d < dim; ++d)
+      lengths[d] = row[place.half_length + d] * (C[d][d] + J) / root;
+    return lengths;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::move(const unsigned int        point,
+                            const dealii::Point<dim> &x,
+                            const Grid::Frame<dim>   &frame)
+  {
+    particle_at[point]->set_location(frame.to_grid(x));
+  }
+
+
+
+  template <int dim>
+  std::uint64_t
+  MaterialPoints<dim>::relocate()
+  {
+    const MPI_Comm     communicator = Compat::communicator(*triangulation);
+    std::uint64_t      n_lost       = 0;
+    std::ostringstream first;
+    const auto         connection = handler.signals.particle_lost.connect(
+      [&](const Particle &particle, const auto &cell) {
+        if (n_lost++ == 0)
+          first << "Point " << particle->get_id()
+                << " has left the grid: it is "
+                << "at (" << particle->get_location()
+                << ") m of the undeformed grid and was in the cell around ("
+                << cell->center() << ") m";
+      });
+    handler.sort_particles_into_subdomains_and_cells();
+    connection.disconnect();
+
+    const std::uint64_t all = dealii::Utilities::MPI::sum(n_lost, communicator);
+    if (all > 0 && !moving->remove_leaving)
+      {
+        const auto texts =
+          dealii::Utilities::MPI::all_gather(communicator, first.str());
+        for (const std::string &text : texts)
+          if (!text.empty())
+            throw ComputationError(
+              text + ".\nGive the grid more Grid/Margin cells there, or \"set "
+                     "Leaving points = remove\" in section Material points.");
+      }
+    return all;
   }
 
 

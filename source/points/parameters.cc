@@ -16,6 +16,51 @@ namespace Riedel::Points
   namespace Patterns  = dealii::Patterns;
   namespace Utilities = dealii::Utilities;
 
+  void
+  MovingPointsParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    prm.declare_entry("Shape",
+                      "generalised",
+                      Patterns::Selection("generalised|point"),
+                      "What a point sees of the grid: \"generalised\" means "
+                      "of the shape functions over a box that follows the "
+                      "point's stretch (GIMP), \"point\" their values at its "
+                      "place, for teaching and comparison. This section is for "
+                      "the configuration current.");
+    prm.declare_entry("Per axis",
+                      "2",
+                      Patterns::Integer(1, 20),
+                      "Points of a cell along each axis at the start.");
+    prm.declare_entry("Surface stabilisation",
+                      "0.1",
+                      Patterns::Double(0),
+                      "Factor of the penalty on jumps of the gradient between "
+                      "badly filled cells at the surface and their "
+                      "neighbours, relative to the points' stiffness.");
+    prm.declare_entry("Leaving points",
+                      "stop",
+                      Patterns::Selection("stop|remove"),
+                      "What happens if a point leaves the grid: the run stops, "
+                      "or the point is removed and counted.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  MovingPointsParameters::parse(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    shape    = prm.get("Shape") == "point" ? Shape::point : Shape::generalised;
+    per_axis = prm.get_integer("Per axis");
+    surface_stabilisation = prm.get_double("Surface stabilisation");
+    remove_leaving        = prm.get("Leaving points") == "remove";
+    prm.leave_subsection();
+  }
+
+
+
   template <int dim>
   void
   InitialStateParameters<dim>::declare(

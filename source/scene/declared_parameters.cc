@@ -197,6 +197,9 @@ namespace Riedel::Scene
       {"Materials",
        "One subsection per material, with a name of your choice. Its `Law` "
        "decides which other parameters it has."},
+      {"Material points",
+       "Points that move through the grid: only read in the configuration "
+       "current."},
       {"Initial state",
        "The vertical stress is sigma_22 = -(p + gamma_d (h - x_2)) with the "
        "pressure p at the top h of the body and gamma_d = gamma_s / (1 + e), "

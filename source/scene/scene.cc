@@ -286,6 +286,7 @@ namespace Riedel::Scene
     Grid::GeometryParameters::declare(prm);
     Grid::Parameters::declare(prm);
     Material::Parameters<dim>::declare(prm, names.materials);
+    Points::MovingPointsParameters::declare(prm);
     Points::InitialStateParameters<dim>::declare(prm, names.zones);
     Equilibrium::BoundaryConditionParameters<dim>::declare(prm,
                                                            names.boundaries);
@@ -306,8 +307,13 @@ namespace Riedel::Scene
     geometry.parse(prm, dim);
     grid.parse(prm);
     materials.parse(prm, names.materials);
+    moving_points.parse(prm);
     initial_state.parse(prm, names.zones);
     boundary_conditions.parse(prm, names.boundaries);
+    boundary_conditions.choose_form(grid.configuration ==
+                                        Grid::ReferenceConfiguration::current ?
+                                      Equilibrium::LoadForm::virtual_stress :
+                                      Equilibrium::LoadForm::surface_integral);
     loading.parse(prm);
     solver.parse(prm);
     output.parse(prm);

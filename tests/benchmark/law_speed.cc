@@ -38,6 +38,11 @@ namespace
         prm.set("Density exponent", "0.3");
         prm.set("Hardness exponent", "0.5");
       }
+    else if (name == "Hencky")
+      {
+        prm.set("Young modulus", "52e6");
+        prm.set("Poisson ratio", "0.3");
+      }
     else
       {
         prm.set("Lame modulus", "30e6");

@@ -39,6 +39,11 @@ namespace LawTools
         if (name == "polar hypoplastic")
           prm.set("Mean grain diameter", "0.5e-3");
       }
+    else if (name == "Hencky")
+      {
+        prm.set("Young modulus", "1000");
+        prm.set("Poisson ratio", "0.25");
+      }
     else
       {
         prm.set("Lame modulus", "1000");

@@ -56,7 +56,8 @@ namespace
     std::vector<std::vector<double>>
     all_points()
     {
-      supports.rebuild(points);
+      supports.rebuild(std::vector<double>(space.relevant().n_elements()),
+                       points);
       std::vector<std::vector<double>> rows;
       for (unsigned int p = 0; p < points.n_points(); ++p)
         {

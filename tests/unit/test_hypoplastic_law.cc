@@ -710,3 +710,82 @@ TEST_CASE("constants and initial states are checked by name",
   CHECK(initial(100e3, .45).second == 1);
   CHECK(initial(100e3, 1.28).second == 1);
 }
+
+
+
+TEST_CASE("the stiffness is the factor of the linear part of the rate",
+          "[unit][hypoplastic][law]")
+{
+  for (const std::string name : {"polar hypoplastic", "hypoplastic"})
+    {
+      const auto law = make_law(name);
+      for (const double pressure : {1e3, 100e3, 500e3})
+        for (const double ratio : {1., .5, 2.})
+          {
+            // A stretching d with s:d = 0, there and back: what remains of the
+            // rate is f_s a_1^2 d. The next order is f_s^2/p d^2, 1e-7 of it.
+            const double s22   = -pressure * ratio;
+            const auto   start = make_state(
+              *law, {-pressure, s22, -1.2 * pressure, 0., 0.}, {}, .65);
+            const double        size = 1e-11;
+            std::vector<double> d(law->n_generalised(), 0.);
+            d[0]            = size;
+            d[3]            = size * pressure / s22;
+            const auto up   = respond(*law, start, d).state;
+            d[0]            = -d[0];
+            d[3]            = -d[3];
+            const auto down = respond(*law, start, d).state;
+            CHECK(law->stiffness(start.data()) ==
+                  Approx((up[0] - down[0]) / (2. * size)).epsilon(1e-6));
+          }
+    }
+}
+
+
+
+TEST_CASE("the stiffness respects the floor and is never zero or NaN",
+          "[unit][hypoplastic][law]")
+{
+  for (const std::string name : {"polar hypoplastic", "hypoplastic"})
+    {
+      const auto   law      = make_law(name);
+      const double floor    = 100.;
+      const auto   on_floor = [&](const double void_ratio) {
+        return law->stiffness(
+          make_state(*law, {-floor, -floor, -floor, 0., 0.}, {}, void_ratio)
+            .data());
+      };
+      const double at_floor = on_floor(.65);
+      CHECK(at_floor > 0.);
+      const std::vector<std::vector<double>> below = {
+        {0., 0., 0., 0., 0.},
+        {-1., -2., -1., 0., 0.},
+        {1e3, 1e3, 1e3, 0., 0.},
+        {-1e5, 1e5, -1e5, 0., 0.},
+        {-1e5, -1e5, -1e5, 2e5, 2e5},
+        {std::numeric_limits<double>::quiet_NaN(), 0., 0., 0., 0.}};
+      for (const auto &stress : below)
+        CHECK(law->stiffness(make_state(*law, stress, {}, .65).data()) ==
+              Approx(at_floor).epsilon(1e-14));
+
+      // below e_d the floor rises with the resistance against compaction
+      for (const double void_ratio : {0., .1, .4, .5, 2., 10.})
+        {
+          CHECK(std::isfinite(on_floor(void_ratio)));
+          CHECK(on_floor(void_ratio) > 0.);
+        }
+      CHECK(on_floor(.4) > on_floor(.5));
+
+      RandomPoints points(*law, 3);
+      for (unsigned int sample = 0; sample < 1000; ++sample)
+        {
+          auto state = points.state();
+          // skew parts beyond those of any body, too
+          state[3]               = 2. * state[0] * points.uniform();
+          state[4]               = 2. * state[0] * points.uniform();
+          const double stiffness = law->stiffness(state.data());
+          REQUIRE(std::isfinite(stiffness));
+          REQUIRE(stiffness > 0.);
+        }
+    }
+}

@@ -237,3 +237,17 @@ TEST_CASE("elastic constants are checked by name", "[unit][elastic]")
       CHECK(errors[0].message.find(rule) != std::string::npos);
     }
 }
+
+
+
+TEST_CASE("the stiffness of an elastic law is 2 mu", "[unit][elastic]")
+{
+  for (const std::string name : {"linear elastic micropolar", "linear elastic"})
+    {
+      const auto law = make_law(name);
+      for (const double stress : {0., -100e3, 100e3})
+        CHECK(law->stiffness(
+                make_state(*law, {stress, 0., 0., 0., 0.}, {}, 0.).data()) ==
+              2. * mu);
+    }
+}

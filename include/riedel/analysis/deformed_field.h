@@ -10,7 +10,10 @@ namespace Riedel::Analysis
   /**
    * The deformed body with micro-rotations and void ratios as the measurement
    * of bands reads it. Collects all ranks' parts on rank 0; empty on the
-   * others. Every cell becomes 2 n^2 triangles, n the degree of the element.
+   * others. Every cell with points becomes 2 n^2 triangles, n the degree of the
+   * element. @p solution: displacements and rotations at relevant dofs, by
+   * local number; of moving points Points::nodal_means(): their grid is not
+   * deformed.
    */
   DeformedField
   collect_deformed_field(const Grid::Space<2>            &space,

@@ -8,6 +8,26 @@
 
 namespace Riedel::Continuum
 {
+  /// cof f = j f^-T of f = I + H; both in the order 11, 12, 21, 22
+  template <typename Number>
+  std::array<Number, 4>
+  step_cofactor(const Number *H)
+  {
+    return {{1. + H[3], -H[2], -H[1], 1. + H[0]}};
+  }
+
+  /// P = j sigma f^-T = sigma cof f, all in the order 11, 12, 21, 22
+  template <typename Number>
+  std::array<Number, 4>
+  nominal_stress(const std::array<Number, 4> &sigma,
+                 const std::array<Number, 4> &cofactor)
+  {
+    return {{sigma[0] * cofactor[0] + sigma[1] * cofactor[2],
+             sigma[0] * cofactor[1] + sigma[1] * cofactor[3],
+             sigma[2] * cofactor[0] + sigma[3] * cofactor[2],
+             sigma[2] * cofactor[1] + sigma[3] * cofactor[3]}};
+  }
+
   /**
    * Kinematics of a point in a step in plane strain. The velocity gradient L
    * is constant over the step, so that L dt = log f with f = I + H.
@@ -56,8 +76,9 @@ namespace Riedel::Continuum
       const Number inverse_j = 1. / j;
       const Number q =
         (half_difference * half_difference + product) * inverse_j;
-      const auto   c_positive     = 1. + value_of(half_trace) > 0.;
-      const auto   series_holds   = c_positive && abs(value_of(q)) < 2e-3;
+      const auto c_positive = 1. + value_of(half_trace) > 0.;
+      const auto series_holds =
+        c_positive && abs(value_of(q)) < largest_in_series;
       const Number inverse_root_j = sqrt(inverse_j);
       Number       x;
       if constexpr (IsLanes<Number>::value)
@@ -91,7 +112,7 @@ namespace Riedel::Continuum
       log_f.difference   = scale * half_difference;
       log_f.shear        = scale * (.5 * (H[1] + H[2]));
       log_f.turn         = scale * (.5 * (H[2] - H[1]));
-      cofactor           = {{1. + H[3], -H[2], -H[1], 1. + H[0]}};
+      cofactor           = step_cofactor(H);
     }
 
     /// The increment d^c dt of a point that rotates by @p theta: L dt without
@@ -120,10 +141,7 @@ namespace Riedel::Continuum
     std::array<Number, 4>
     nominal(const std::array<Number, 4> &sigma) const
     {
-      return {{sigma[0] * cofactor[0] + sigma[1] * cofactor[2],
-               sigma[0] * cofactor[1] + sigma[1] * cofactor[3],
-               sigma[2] * cofactor[0] + sigma[3] * cofactor[2],
-               sigma[2] * cofactor[1] + sigma[3] * cofactor[3]}};
+      return nominal_stress(sigma, cofactor);
     }
 
     /// M = j m f^-T
@@ -134,8 +152,10 @@ namespace Riedel::Continuum
                m[0] * cofactor[1] + m[1] * cofactor[3]}};
     }
 
-  private:
-    /// x as a power series in q, exact to rounding for |q| < 2e-3
+    /// Up to this |q| the series is exact to rounding.
+    static constexpr double largest_in_series = 2e-3;
+
+    /// x = arsinh(sqrt q)/sqrt q as a power series in q
     static Number
     series(const Number &q)
     {

@@ -48,18 +48,16 @@ namespace Riedel::Equilibrium
 
     /// Adds the nodal forces of the stresses at increment @p du (relevant dofs
     /// by local number) to @p forces, those of the virtual stress to @p
-    /// virtual_forces. @p u: displacements at the step's start.
+    /// virtual_forces.
     SweepReport
-    forces(const std::vector<double> &u,
-           const std::vector<double> &du,
+    forces(const std::vector<double> &du,
            std::vector<double>       &forces,
            std::vector<double>       &virtual_forces);
 
     /// The same, and the stiffness into @p matrix, under @p constraints whose
     /// inhomogeneities go to @p right_hand_side.
     SweepReport
-    forces_and_stiffness(const std::vector<double>               &u,
-                         const std::vector<double>               &du,
+    forces_and_stiffness(const std::vector<double>               &du,
                          const dealii::AffineConstraints<double> &constraints,
                          std::vector<double>                     &forces,
                          std::vector<double>         &virtual_forces,
@@ -90,6 +88,13 @@ namespace Riedel::Equilibrium
       }
     };
 
+    /// Generalised increments of all points in the last sweep.
+    const std::vector<double> &
+    point_increments() const
+    {
+      return increments;
+    }
+
     const Cost &
     cost() const
     {
@@ -98,8 +103,7 @@ namespace Riedel::Equilibrium
 
   private:
     SweepReport
-    sweep(const std::vector<double>               &u,
-          const std::vector<double>               &du,
+    sweep(const std::vector<double>               &du,
           std::vector<double>                     &forces,
           std::vector<double>                     &virtual_forces,
           const dealii::AffineConstraints<double> *constraints,

@@ -6,6 +6,7 @@
 #include <riedel/equilibrium/direct_solver.h>
 #include <riedel/equilibrium/loads.h>
 #include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/surface_stabilisation.h>
 #include <riedel/equilibrium/virtual_stress.h>
 #include <riedel/grid/body.h>
 #include <riedel/grid/space.h>
@@ -50,10 +51,47 @@ namespace Riedel::Equilibrium
             const Points::Supports<dim>            &supports,
             Timer                                  &timer);
 
-    /// Starts a step from the displacement @p u (relevant dofs by local number)
-    /// to the load parameter @p s.
+    /// To be called when the supports have changed: points have moved. True if
+    /// other nodes than before are seen by points.
+    bool
+    supports_changed();
+
+    /// Gives nodes that no point sees the mean increment of the other nodes of
+    /// their cells: a first guess for the step in which they are seen.
     void
-    begin_step(const std::vector<double> &u, const double s);
+    continue_to_unseen(LinearAlgebra::Vector &du) const;
+
+    /// Starts a step from the displacement @p u (relevant dofs by local
+    /// number) and the load parameter @p from to @p to. In the configuration
+    /// "current" @p u is zero, and a step that is only the share @p release of
+    /// one that could not be solved takes back only this share of the imbalance
+    /// that points leave by moving (doc/theory/material_points.md).
+    void
+    begin_step(const std::vector<double> &u,
+               const double               from,
+               const double               to,
+               const double               release = 1.0);
+
+    /// Where the walls of the grid are at a load parameter.
+    Grid::Frame<dim>
+    walls(const double s) const
+    {
+      return conditions.walls(s);
+    }
+
+    /// Dofs without increments of their own: prescribed or seen by no point.
+    const std::vector<bool> &
+    is_fixed() const
+    {
+      return conditions.is_fixed();
+    }
+
+    /// Generalised increments of the points after the last sweep.
+    const std::vector<double> &
+    point_increments() const
+    {
+      return assembly.point_increments();
+    }
 
     /// A vector of increments, zero.
     LinearAlgebra::Vector
@@ -145,6 +183,15 @@ namespace Riedel::Equilibrium
     std::uint64_t n_factorisations = 0;
 
   private:
+    void
+    make_matrix();
+
+    void
+    set_missing_diagonal();
+
+    void
+    find_extent();
+
     /// Stiffness under @p constraints at @p du, and its factors.
     Residual
     factorise_at(const LinearAlgebra::Vector             &du,
@@ -161,6 +208,7 @@ namespace Riedel::Equilibrium
     const BoundaryConditionParameters<dim> *boundary_parameters;
     const LoadingParameters<dim>           *loading;
     const SolverParameters                 *parameters;
+    const Grid::Body<dim>                  *body;
     const Grid::Space<dim>                 *space;
     Points::MaterialPoints<dim>            *points;
     const Points::Supports<dim>            *supports;
@@ -169,12 +217,16 @@ namespace Riedel::Equilibrium
     BoundaryConditions<dim> conditions;
     Loads<dim>              loads;
     VirtualStress<dim>      virtual_stress;
+    /// of points that move; else empty
+    std::unique_ptr<SurfaceStabilisation<dim>> stabilisation;
     Assembly<dim>           assembly;
 
     double                        length; ///< divides moments
     LinearAlgebra::SparseMatrix   matrix;
     std::unique_ptr<DirectSolver> solver;
     bool                          factorised = false;
+    /// does the matrix have the entries of the present supports?
+    bool has_matrix = false;
     /// norm of the diagonal of the displacements' stiffness
     double stiffness_norm = 0.0;
 
@@ -187,8 +239,10 @@ namespace Riedel::Equilibrium
     /// nodal forces of the last sweep, relevant dofs
     std::vector<double>   increment, internal, applied, virtual_forces;
     LinearAlgebra::Vector external, reaction, squared_lengths;
-    std::vector<bool>     is_prescribed;                ///< by owned place
-    std::vector<bool>     is_rotation;                  ///< by owned place
-    std::vector<typename Loads<dim>::Surface> surfaces; ///< all ranks
+    /// imbalance that is not released yet; empty if it all is
+    LinearAlgebra::Vector                     held;
+    std::vector<bool>                         is_prescribed; ///< by owned place
+    std::vector<bool>                         is_rotation;   ///< by owned place
+    std::vector<typename Loads<dim>::Surface> surfaces;      ///< all ranks
   };
 } // namespace Riedel::Equilibrium

@@ -42,6 +42,22 @@ namespace Riedel::Equilibrium
     double
     value(const Prescribed &dof, const double s) const;
 
+    /// Nodes that no point sees get no increments; dofs by local number.
+    void
+    set_unseen(const std::vector<unsigned int> &dofs);
+
+    /// Owned or not, by local number: prescribed, or unseen.
+    const std::vector<bool> &
+    is_fixed() const
+    {
+      return fixed;
+    }
+
+    /// Where the walls of the grid are at a load parameter: a side of the grid
+    /// whose normal displacement is prescribed moves with it, others stay.
+    Grid::Frame<dim>
+    walls(const double s) const;
+
     /// Hanging nodes, and zero for the prescribed dofs: what corrections obey.
     const dealii::AffineConstraints<double> &
     homogeneous() const
@@ -55,8 +71,11 @@ namespace Riedel::Equilibrium
 
   private:
     const BoundaryConditionParameters<dim> *parameters;
+    const Grid::Body<dim>                  *body;
     const Grid::Space<dim>                 *space;
     std::vector<Prescribed>                 list;
+    std::vector<unsigned int>               unseen;
+    std::vector<bool>                       fixed;
     dealii::AffineConstraints<double>       constraints;
   };
 } // namespace Riedel::Equilibrium

@@ -27,10 +27,20 @@ namespace Riedel::Equilibrium
   public:
     static constexpr unsigned int n_spin = Continuum::Generalised<dim>::n_spin;
 
+    /// @p body_fills_grid: false if points move through the grid; call
+    /// set_extent() in every step then.
     Loads(const BoundaryConditionParameters<dim> &boundaries,
           const LoadingParameters<dim>           &loading,
           const Grid::Body<dim>                  &body,
-          const Grid::Space<dim>                 &space);
+          const Grid::Space<dim>                 &space,
+          const bool                              body_fills_grid);
+
+    /// In the configuration "current" no faces follow the body: its loaded
+    /// boundaries are the sides of the smallest box around its points, @p
+    /// present at the end of the step. @p initial: before the first step.
+    void
+    set_extent(const dealii::BoundingBox<dim> &initial,
+               const dealii::BoundingBox<dim> &present);
 
     /// Takes a local stiffness (row-major, n x n) of n dofs by global number.
     using AddMatrix =
@@ -83,9 +93,15 @@ namespace Riedel::Equilibrium
       std::vector<double>    rotation_shape;
     };
 
+    void
+    add_sides_of_extent(const double s) const;
+
     const BoundaryConditionParameters<dim> *parameters;
     const LoadingParameters<dim>           *loading;
+    const Grid::Body<dim>                  *body;
     const Grid::Space<dim>                 *space;
+    bool                                    has_extent = false;
+    dealii::BoundingBox<dim>                initial_extent, present_extent;
     std::vector<unsigned int>               dofs;
     std::vector<FacePoint>                  face_points;
     mutable std::vector<Surface>            surface;

@@ -26,6 +26,7 @@ namespace Riedel::Equilibrium
   /// How a pressure enters the equations (doc/theory/loads.md).
   enum class LoadForm
   {
+    automatic,        ///< until the configuration is known
     surface_integral, ///< integrals over the boundary's faces
     virtual_stress    ///< volume terms of a virtual stress field
   };
@@ -50,7 +51,7 @@ namespace Riedel::Equilibrium
     std::array<Expression<dim>, n_spin> couple_traction;
     /// dead load or not, for pressure, traction and couple traction
     LoadArea area = LoadArea::current;
-    LoadForm form = LoadForm::surface_integral;
+    LoadForm form = LoadForm::automatic;
   };
 
   template <int dim>
@@ -66,6 +67,9 @@ namespace Riedel::Equilibrium
     /// Throws InputError for a formula that cannot be read.
     void
     parse(dealii::ParameterHandler &prm, const std::vector<std::string> &names);
+    /// Replaces every "automatic" form of a load.
+    void
+    choose_form(const LoadForm form);
     /// @p known: the boundaries of the geometry
     void
     check(const std::vector<std::string> &known,

@@ -14,13 +14,18 @@ namespace Riedel::Equilibrium
   class StepControl
   {
   public:
+    /// @p are_moving: points move through the grid. What they leave out of
+    /// balance does not shrink with the step then, and a step that was hard
+    /// would not have been easier if it had been smaller.
     template <int dim>
     StepControl(const LoadingParameters<dim> &loading,
-                const SolverParameters       &solver)
+                const SolverParameters       &solver,
+                const bool                    are_moving = false)
       : largest(loading.largest_step)
       , smallest(loading.smallest_step)
       , fixed(loading.fixed_steps)
       , target_iterations(solver.target_iterations)
+      , least_factor(are_moving ? 1.0 : 0.5)
       , size(loading.initial_step > 0.0 ? loading.initial_step :
                                           loading.largest_step)
     {}
@@ -41,7 +46,16 @@ namespace Riedel::Equilibrium
     bool
     is_last_chance() const
     {
-      return fixed || failures_in_a_row >= 2 || 0.5 * last < smallest;
+      return fixed || least_factor == 1.0 || failures_in_a_row >= 2 ||
+             0.5 * last < smallest;
+    }
+
+    /// The size of the step last tried over that of the first try from the
+    /// same state: less than 1 after cuts.
+    double
+    share_of_uncut() const
+    {
+      return failures_in_a_row == 0 ? 1.0 : last / uncut;
     }
 
     /// The step that was last tried.
@@ -63,8 +77,8 @@ namespace Riedel::Equilibrium
     void
     serialize(Archive &archive, const unsigned int)
     {
-      double                        present = size;
-      archive &present &last &cuts &failures_in_a_row;
+      double                               present = size;
+      archive &present &last &uncut &cuts &failures_in_a_row;
       if (Archive::is_loading::value && !fixed)
         size = std::clamp(present, smallest, largest);
     }
@@ -74,8 +88,10 @@ namespace Riedel::Equilibrium
     const double       smallest;
     const bool         fixed;
     const unsigned int target_iterations;
+    const double       least_factor; ///< between accepted steps
     double             size;
     double             last              = 0.0;
+    double             uncut             = 0.0; ///< first try from this state
     unsigned int       cuts              = 0;
     unsigned int       failures_in_a_row = 0;
   };

@@ -48,9 +48,16 @@ namespace Riedel::Grid
       return box;
     }
 
+    /// Smallest box around the undeformed grid [m]: the body and its margin.
+    const dealii::BoundingBox<dim> &
+    grid_extent() const
+    {
+      return grid_box;
+    }
+
   private:
     dealii::parallel::distributed::Triangulation<dim> tria;
     std::map<unsigned int, std::string>               names;
-    dealii::BoundingBox<dim>                          box;
+    dealii::BoundingBox<dim>                          box, grid_box;
   };
 } // namespace Riedel::Grid

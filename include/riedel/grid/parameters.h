@@ -25,7 +25,9 @@ namespace Riedel::Grid
 
   enum class ReferenceConfiguration
   {
-    initial ///< shape functions on the undeformed grid: finite elements
+    initial, ///< shape functions on the undeformed grid: finite elements
+    current  ///< on a grid that is put back after every step, through which the
+             ///< points move: material point method
   };
 
   /// Section "Geometry": the body before the first step.
@@ -59,15 +61,26 @@ namespace Riedel::Grid
   {
     /// cells of the box along each axis
     std::vector<unsigned int> cells;
+    /// cells beyond the body, before each lower and behind each upper side:
+    /// left, right, bottom, top[, front, back]; empty or all 0 for none
+    std::vector<unsigned int> margin;
     /// uniform refinements of the grid of a file
     unsigned int           refinements   = 0;
     ReferenceConfiguration configuration = ReferenceConfiguration::initial;
-    /// polynomial degrees, 1 or 2; "automatic" is 2 in configuration initial
+    /// polynomial degrees, 1 or 2; "automatic" is 2 in configuration initial, 1
+    /// in current
     unsigned int   displacement_degree = 2;
     unsigned int   rotation_degree     = 2;
     StrainSampling sampling            = StrainSampling::assumed;
     /// share of the point's own H and theta under assumed sampling
     double own_strain_fraction = 0.1;
+
+    /// Does the grid end at this side of the body? Sides as in #margin.
+    bool
+    ends_at(const unsigned int side) const
+    {
+      return margin.empty() || margin[side] == 0;
+    }
 
     static void
     declare(dealii::ParameterHandler &prm);

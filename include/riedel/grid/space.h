@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/continuum/generalised.h>
+#include <riedel/grid/frame.h>
 #include <riedel/grid/parameters.h>
 #include <riedel/linear_algebra.h>
 
@@ -24,6 +25,10 @@ namespace Riedel::Grid
    * A rank numbers the dofs it needs (the locally relevant ones) from zero, in
    * ascending order of their global numbers. Work on points uses these local
    * numbers and plain arrays.
+   *
+   * In the configuration "current" the dofs of a node follow each other, first
+   * component first, and a rank also needs the masters of hanging nodes of its
+   * ghost cells, into which a point may reach.
    */
   template <int dim>
   class Space
@@ -123,13 +128,28 @@ namespace Riedel::Grid
       return node_positions;
     }
 
+    /// Where the grid is at the start of the step: itself in the configuration
+    /// "initial".
+    const Frame<dim> &
+    frame() const
+    {
+      return frame_of_grid;
+    }
+
+    void
+    set_frame(const Frame<dim> &frame)
+    {
+      frame_of_grid = frame;
+    }
+
     /// Deformed position of the node of a displacement dof [m]; @p solution:
-    /// relevant dofs.
+    /// displacements from the frame, relevant dofs.
     dealii::Point<dim>
     deformed_node(const unsigned int         local_number,
                   const std::vector<double> &solution) const
     {
-      dealii::Point<dim> x = node_positions[local_number];
+      dealii::Point<dim> x =
+        frame_of_grid.to_space(node_positions[local_number]);
       for (unsigned int d = 0; d < dim; ++d)
         x[d] += solution[node_dofs[local_number][d]];
       return x;
@@ -155,7 +175,12 @@ namespace Riedel::Grid
                 LinearAlgebra::Vector     &owned) const;
 
   private:
+    void
+    add_masters_in_ghost_cells();
+
     const bool                        micropolar;
+    const bool                        reaches_into_ghost_cells;
+    Frame<dim>                        frame_of_grid;
     dealii::FESystem<dim>             fe;
     dealii::DoFHandler<dim>           dofs;
     dealii::IndexSet                  owned_dofs;

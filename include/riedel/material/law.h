@@ -113,6 +113,13 @@ namespace Riedel::Material
     virtual double
     length() const = 0;
 
+    /// A scale of the tangent at rest [Pa], from the committed state only;
+    /// used to scale stabilisation terms. It is the factor of the linear part
+    /// of the stretching in the rate of stress, 2 mu in elasticity. Positive
+    /// and finite for every state that the law has left or could start from.
+    virtual double
+    stiffness(const double *state) const = 0;
+
     /// Writes the state of a point before the first step into @p state
     /// (layout().size() values).
     virtual void

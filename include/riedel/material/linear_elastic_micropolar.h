@@ -54,6 +54,10 @@ namespace Riedel::Material
     double
     length() const override;
 
+    /// 2 mu [Pa], whatever the state
+    double
+    stiffness(const double *state) const override;
+
     void
     initialise(const InitialState &initial, double *state) const override;
 

@@ -57,6 +57,11 @@ namespace Riedel::Material
       return micropolar ? constants.mean_grain_diameter : 0.;
     }
 
+    /// f_s a_1^2 [Pa], eqs. (16), (19), (26); of the state on the floor for a
+    /// point that a step would put there
+    double
+    stiffness(const double *state) const override;
+
     void
     initialise(const InitialState &initial, double *state) const override;
 

@@ -30,8 +30,9 @@ namespace Riedel::Output
   public:
     Fields(const ResultsFolder &folder, const Parameters &parameters);
 
-    /// Writes the next set; collective. @p solution: relevant dofs by local
-    /// number.
+    /// Writes the next set; collective. @p solution: displacements and
+    /// rotations at relevant dofs, by local number; of moving points
+    /// Points::nodal_means().
     void
     write(const double                       load,
           const Grid::Space<dim>            &space,

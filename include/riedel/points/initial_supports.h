@@ -3,8 +3,7 @@
 
 #include <riedel/grid/parameters.h>
 #include <riedel/grid/space.h>
-#include <riedel/points/material_points.h>
-#include <riedel/points/supports.h>
+#include <riedel/points/support_builder.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
@@ -24,7 +23,7 @@ namespace Riedel::Points
    * sampling points plus a fraction of its own (doc/theory/elements.md).
    */
   template <int dim>
-  class InitialSupports
+  class InitialSupports : public SupportBuilder<dim>
   {
   public:
     /// @p follow_deformation: false if all laws are geometrically linear: then
@@ -33,28 +32,27 @@ namespace Riedel::Points
                     const Grid::Parameters &parameters,
                     const bool              follow_deformation);
 
-    /// The quadrature whose points the material points are seeded on.
     dealii::Quadrature<dim>
-    quadrature() const;
+    quadrature() const override;
 
-    /// Shape functions at all points, after the grid or the points have
-    /// changed. Fixes the order of points.
     void
-    rebuild(MaterialPoints<dim> &points);
+    rebuild(const std::vector<double> &solution,
+            MaterialPoints<dim>       &points) override;
+
+    void
+    accept(const std::vector<double> &solution,
+           const std::vector<double> &du,
+           const std::vector<double> &increments,
+           MaterialPoints<dim>       &points) override;
+
+  private:
+    using SupportBuilder<dim>::result;
 
     /// The supports of the next step, from displacements and rotations at its
-    /// start: values of the relevant dofs by local number. Writes the points'
-    /// volumes, displacements and rotations.
+    /// start. Writes the points' volumes, displacements and rotations.
     void
     update(const std::vector<double> &solution, MaterialPoints<dim> &points);
 
-    const Supports<dim> &
-    supports() const
-    {
-      return result;
-    }
-
-  private:
     /// Shape functions of a cell at some places, on the undeformed grid:
     /// gradients [place][axis][node], values [place][node].
     struct Shapes
@@ -92,7 +90,6 @@ namespace Riedel::Points
 
     dealii::Quadrature<dim> sampling;
 
-    Supports<dim>         result;
     std::vector<CellData> cells;
     /// on the undeformed grid: at all points, in the supports' layout
     Shapes own;

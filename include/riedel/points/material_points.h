@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/grid/frame.h>
+#include <riedel/grid/parameters.h>
 #include <riedel/material/parameters.h>
 #include <riedel/material/state_layout.h>
 #include <riedel/points/parameters.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/particles/particle_handler.h>
 
 #include <string>
@@ -30,18 +33,45 @@ namespace Riedel::Points
    * trial(). accept() copies the trial states to the particles; a step that is
    * given up needs nothing to be undone.
    *
+   * In the configuration "initial" the place of a particle is its place before
+   * the first step; in "current" it is where the point is now, in coordinates
+   * of the undeformed grid (Grid::Frame).
+   *
    * Volumes, masses and the like are per metre of thickness in plane strain.
    */
   template <int dim>
   class MaterialPoints
   {
   public:
+    /// @p moving: the points of the configuration "current"; null for
+    /// "initial". They stay if all laws are geometrically linear.
     MaterialPoints(
       dealii::parallel::distributed::Triangulation<dim> &triangulation,
-      const Material::Parameters<dim>                   &materials);
+      const Material::Parameters<dim>                   &materials,
+      const MovingPointsParameters                      *moving = nullptr);
 
-    /// Puts a point on every quadrature point of every cell, with its initial
-    /// state. Throws InputError for a point that no material claims.
+    MaterialPoints(const MaterialPoints &) = delete;
+    MaterialPoints &
+    operator=(const MaterialPoints &) = delete;
+
+    /// Do points move through the grid?
+    bool
+    are_moving() const
+    {
+      return moving != nullptr &&
+             !laws->materials.front().law->is_geometrically_linear();
+    }
+
+    /// Only for points of the configuration "current".
+    const MovingPointsParameters &
+    moving_parameters() const
+    {
+      return *moving;
+    }
+
+    /// Puts a point on every quadrature point of every cell of the @p body,
+    /// with its initial state. Throws InputError for a point that no material
+    /// claims.
     void
     seed(const dealii::Quadrature<dim>     &quadrature,
          const InitialStateParameters<dim> &initial,
@@ -107,10 +137,12 @@ namespace Riedel::Points
     };
 
     /// Fixes the order of points for the coming steps; points of one material
-    /// must be neighbours. Copies the committed states of the laws.
+    /// must be neighbours. Copies the committed states of the laws. @p frame:
+    /// where the grid is.
     void
     set_order(const std::vector<typename dealii::Particles::ParticleHandler<
-                dim>::particle_iterator> &order);
+                dim>::particle_iterator> &order,
+              const Grid::Frame<dim>     &frame = Grid::Frame<dim>());
 
     const std::vector<Range> &
     ranges() const
@@ -145,11 +177,40 @@ namespace Riedel::Points
     }
 
     /// Position of a point before the first step [m].
-    const dealii::Point<dim> &
+    dealii::Point<dim>
     initial_position(const unsigned int point) const
     {
-      return positions[point];
+      return are_moving() ? positions[point] - displacement(point) :
+                            positions[point];
     }
+
+    /// Position of a point at the start of the step [m].
+    dealii::Point<dim>
+    position(const unsigned int point) const
+    {
+      return are_moving() ? positions[point] :
+                            positions[point] + displacement(point);
+    }
+
+    /// Half the edge lengths of a point's present box [m]: those of its first
+    /// box times the diagonal of the stretch U of F = R U; zero for points
+    /// without a box.
+    dealii::Tensor<1, dim>
+    half_lengths(const double *row) const;
+
+    /// Moves a point during accept(): the particle goes to @p x [m], in a grid
+    /// at @p frame. Call relocate() when all have moved.
+    void
+    move(const unsigned int        point,
+         const dealii::Point<dim> &x,
+         const Grid::Frame<dim>   &frame);
+
+    /// Finds the cells of all points and sends points to the ranks that own
+    /// them; then the order has to be fixed anew. Returns the number of points
+    /// that have left the grid, over all ranks. Throws ComputationError for one
+    /// if the scene does not allow it.
+    std::uint64_t
+    relocate();
 
     /// State of the laws at the start of the step, from @p point on.
     const double *
@@ -173,10 +234,13 @@ namespace Riedel::Points
     struct Places
     {
       unsigned int material, initial_volume, volume, mass, displacement,
-        micro_rotation;
+        micro_rotation, half_length, deformation_gradient;
     } place;
 
   private:
+    using Particle =
+      typename dealii::Particles::ParticleHandler<dim>::particle_iterator;
+
     void
     copy_states(const bool to_rows);
 
@@ -187,14 +251,27 @@ namespace Riedel::Points
     void
     check_slots(const std::string &names) const;
 
-    const dealii::Triangulation<dim>       *triangulation;
-    const Material::Parameters<dim>        *laws;
-    Material::StateLayout                   slots;
+    dealii::Tensor<1, dim>
+    displacement(const unsigned int point) const
+    {
+      dealii::Tensor<1, dim> u;
+      for (unsigned int d = 0; d < dim; ++d)
+        u[d] = rows[point][place.displacement + d];
+      return u;
+    }
+
+    const dealii::Triangulation<dim> *triangulation;
+    const Material::Parameters<dim>  *laws;
+    const MovingPointsParameters     *moving;
+    Material::StateLayout             slots;
+    /// the handler keeps a pointer to it
+    const dealii::MappingQ1<dim>            mapping;
     dealii::Particles::ParticleHandler<dim> handler;
 
     /// per material: place in a point's row of every value of the law's state
     std::vector<std::vector<unsigned int>> law_places;
 
+    std::vector<Particle>                      particle_at;
     std::vector<double *>                      rows;
     std::vector<dealii::types::particle_index> ids;
     std::vector<dealii::Point<dim>>            positions;

@@ -15,6 +15,31 @@ namespace dealii
 
 namespace Riedel::Points
 {
+  /// How a point of the configuration "current" sees the grid.
+  enum class Shape
+  {
+    generalised, ///< means over its box (GIMP)
+    point        ///< the shape functions at its place: the plain method
+  };
+
+  /// Section "Material points", for the configuration "current".
+  struct MovingPointsParameters
+  {
+    Shape shape = Shape::generalised;
+    /// points of a cell along each axis at the start
+    unsigned int per_axis = 2;
+    /// factor of the penalty that holds badly filled cells at the surface
+    double surface_stabilisation = 0.1;
+    /// points that leave the grid are removed and counted; else they stop the
+    /// run
+    bool remove_leaving = false;
+
+    static void
+    declare(dealii::ParameterHandler &prm);
+    void
+    parse(dealii::ParameterHandler &prm);
+  };
+
   /**
    * Section "Initial state": the vertical stress sigma_22 = -(p + gamma_d (h -
    * x_2)) with gamma_d = gamma_s/(1 + e0) of the uniform void ratio e0 and h

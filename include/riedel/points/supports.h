@@ -58,5 +58,8 @@ namespace Riedel::Points
     std::vector<double> curvature_gradient;
     /// V_n of every point
     std::vector<double> volume;
+    /// nodes that no point sees, by the local numbers of their dofs; none in
+    /// the configuration "initial"
+    std::vector<unsigned int> unseen_dofs;
   };
 } // namespace Riedel::Points

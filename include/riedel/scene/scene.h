@@ -35,6 +35,7 @@ namespace Riedel::Scene
     Grid::GeometryParameters                      geometry;
     Grid::Parameters                              grid;
     Material::Parameters<dim>                     materials;
+    Points::MovingPointsParameters                moving_points;
     Points::InitialStateParameters<dim>           initial_state;
     Equilibrium::BoundaryConditionParameters<dim> boundary_conditions;
     Equilibrium::LoadingParameters<dim>           loading;
