@@ -113,14 +113,18 @@ namespace Riedel::Checkpoint
   {
     std::vector<std::string> names = all();
     const std::string        last  = marked();
+    if (last.empty())
+      return names;
     // newer than the marker: it was not finished
-    if (!last.empty())
-      names.erase(std::remove_if(names.begin(),
-                                 names.end(),
-                                 [&](const std::string &name) {
-                                   return is_newer(name, last);
-                                 }),
-                  names.end());
+    names.erase(std::remove_if(names.begin(),
+                               names.end(),
+                               [&](const std::string &name) {
+                                 return is_newer(name, last);
+                               }),
+                names.end());
+    // somebody removed it: whoever reads it will find out
+    if (names.empty() || names.front() != last)
+      names.insert(names.begin(), last);
     return names;
   }
 

@@ -29,11 +29,11 @@ def lists(folder, name):
             if not line.startswith("#")]
 
 
-def killed_run(name, settings, ranks, every):
+def killed_run(scene, name, settings, ranks, every):
     """A run that is killed some steps after its second checkpoint."""
     folder = check.results / name
     shutil.rmtree(folder, ignore_errors=True)
-    process = check.start(SCENE, name, settings, ranks)
+    process = check.start(scene, name, settings, ranks)
     history = folder / "history.csv"
     check.note(wait_for(process, lambda: last_checkpoint(folder) != "" and
                         len(history.read_text().splitlines()) > 2 * every + 3),
@@ -42,15 +42,16 @@ def killed_run(name, settings, ranks, every):
     return folder
 
 
-for ranks, settings, every in ((1, SETTINGS, 16), (2, ADAPTIVE, 4)):
+for scene, ranks, settings, every in ((SCENE, 1, SETTINGS, 16),
+                                      (SCENE, 2, ADAPTIVE, 4)):
     there = f"on {ranks} ranks" if ranks > 1 else "on 1 rank"
-    reference = check.run(SCENE, f"continuous_{ranks}", settings, ranks)
-    killed = killed_run(f"killed_{ranks}", settings, ranks, every)
+    reference = check.run(scene, f"continuous_{ranks}", settings, ranks)
+    killed = killed_run(scene, f"killed_{ranks}", settings, ranks, every)
     copy = check.results / f"moved_{ranks}"
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(killed, copy)
 
-    resumed = check.run(SCENE, killed.name, settings, ranks, resume=True)
+    resumed = check.run(scene, killed.name, settings, ranks, resume=True)
     check.contains(f"a run resumed {there}", resumed.text,
                    "Resumed at s = ", f"from the checkpoint {2 * every:06d}.")
     compare(check, f"resumed {there}", resumed.history, reference.history,
@@ -74,7 +75,7 @@ for ranks, settings, every in ((1, SETTINGS, 16), (2, ADAPTIVE, 4)):
                "a checkpoint of the end")
 
     # on another number of ranks
-    other = check.run(SCENE, copy.name, settings, 3 - ranks, resume=True)
+    other = check.run(scene, copy.name, settings, 3 - ranks, resume=True)
     check.contains("another number of ranks", other.text,
                    "which was written on " + there[3:])
     fields = {name: (other.history[name], reference.history[name],

@@ -101,6 +101,13 @@ TEST_CASE("what a killed program leaves does no harm", "[unit]")
   fs::remove(folder / "last");
   CHECK(store.candidates() == Names{"000007", "000001"});
 
+  // ... or the last one itself: it is missed
+  write(store, 9, 3);
+  fs::remove_all(store.path("000009"));
+  CHECK(store.candidates() == Names{"000009", "000007", "000001"});
+  store.return_to("000007");
+  CHECK(store.candidates() == Names{"000007", "000001"});
+
   // other files are not ours
   std::ofstream(folder / "notes.txt") << "mine";
   fs::create_directories(folder / "backup");

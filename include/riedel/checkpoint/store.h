@@ -41,8 +41,8 @@ namespace Riedel::Checkpoint
     std::string
     publish(const unsigned int step, const unsigned int keep) const;
 
-    /// Checkpoints to resume from, best first: the one that `last` names, then
-    /// older ones; without `last` all, the newest first.
+    /// Checkpoints to resume from, best first: the one that `last` names, even
+    /// if it is missing, then older ones; without `last` all, the newest first.
     std::vector<std::string>
     candidates() const;
 
