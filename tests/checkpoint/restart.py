@@ -22,6 +22,10 @@ ADAPTIVE = ["Loading/Stop=0.06", "Checkpoint/Every steps=4",
             "Loading/Fixed steps=false", "Grid/Cells=10,5",
             "Grid/Refinements=1"]
 
+# points that move through the grid
+MOVING = ["Loading/Stop=0.06", "Checkpoint/Every steps=4",
+          "Output/Fields every=0.03", "Output/Bands every=0.01"]
+
 
 def lists(folder, name):
     """A list of files without the time of day in its head."""
@@ -43,11 +47,12 @@ def killed_run(scene, name, settings, ranks, every):
 
 
 for scene, ranks, settings, every in ((SCENE, 1, SETTINGS, 16),
-                                      (SCENE, 2, ADAPTIVE, 4)):
+                                      (SCENE, 2, ADAPTIVE, 4),
+                                      ("moving.prm", 1, MOVING, 4)):
     there = f"on {ranks} ranks" if ranks > 1 else "on 1 rank"
-    reference = check.run(scene, f"continuous_{ranks}", settings, ranks)
-    killed = killed_run(scene, f"killed_{ranks}", settings, ranks, every)
-    copy = check.results / f"moved_{ranks}"
+    reference = check.run(scene, f"continuous_{pathlib.Path(scene).stem}_{ranks}", settings, ranks)
+    killed = killed_run(scene, f"killed_{pathlib.Path(scene).stem}_{ranks}", settings, ranks, every)
+    copy = check.results / f"moved_{pathlib.Path(scene).stem}_{ranks}"
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(killed, copy)
 
@@ -85,7 +90,7 @@ for scene, ranks, settings, every in ((SCENE, 1, SETTINGS, 16),
     check.fields(f"written {there}, resumed on {3 - ranks}", 1e-6, **fields)
 
 # What may change and what may not.
-name = "killed_1"
+name = "killed_case_1"
 before = {path.name: path.read_bytes()
           for path in (check.results / name).iterdir() if path.is_file()}
 refused = check.run(SCENE, name, SETTINGS + ["Initial state/Void ratio=0.61",
