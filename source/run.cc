@@ -48,14 +48,22 @@ namespace Riedel
   int
   run(const Scene::Scene<dim> &scene, const Scene::CommandLine &options)
   {
+    const bool is_element_test =
+      scene.general.type == Scene::SimulationType::element_test;
+    if (is_element_test && options.resume)
+      throw InputError("An element test has no checkpoints: run it again "
+                       "without --resume.");
+
     const MPI_Comm              communicator = MPI_COMM_WORLD;
-    const Output::ResultsFolder folder(communicator,
-                                       scene.general.results,
-                                       options.overwrite,
-                                       scene.original_text,
-                                       Scene::print(scene.parameters,
-                                                    Scene::Format::prm));
-    if (scene.general.type == Scene::SimulationType::element_test)
+    const Output::ResultsFolder folder(
+      communicator,
+      scene.general.results,
+      options.resume    ? Output::Existing::resume :
+      options.overwrite ? Output::Existing::replace :
+                          Output::Existing::refuse,
+      scene.original_text,
+      Scene::print(scene.parameters, Scene::Format::prm));
+    if (is_element_test)
       run_element_test(communicator, scene, folder);
     else
       Simulation<dim>(communicator, scene, folder).run();

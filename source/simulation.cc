@@ -26,6 +26,18 @@ namespace Riedel
       return every > 0.0 && std::floor(load / every + mark_tolerance) >
                               std::floor(before / every + mark_tolerance);
     }
+
+
+
+    std::vector<Checkpoint::Setting>
+    settings(const std::vector<Scene::DeclaredParameter> &parameters)
+    {
+      std::vector<Checkpoint::Setting> result;
+      for (const auto &parameter : parameters)
+        result.push_back(
+          {parameter.path, parameter.value, parameter.default_value});
+      return result;
+    }
   } // namespace
 
 
@@ -62,11 +74,16 @@ namespace Riedel
     , log(folder.path("log.txt"),
           is_first_rank,
           // mpirun gives ranks a terminal even if its own output is a file
-          dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-    , history(folder.path("history.csv"), is_first_rank)
-    , bands_table(folder.path("bands.csv"), is_first_rank)
+          dealii::Utilities::MPI::n_mpi_processes(communicator) == 1,
+          folder.is_resumed())
+    , history(folder.path("history.csv"), is_first_rank, folder.is_resumed())
+    , bands_table(folder.path("bands.csv"), is_first_rank, folder.is_resumed())
     , fields(folder, scene.output)
     , watch(scene.output, scene.boundary_conditions)
+    , checkpoints(communicator,
+                  folder.name(),
+                  scene.checkpoint,
+                  settings(scene.parameters))
   {
     for (const auto &material : scene.materials.materials)
       grain_size = std::max(grain_size, material.law->length());
@@ -78,10 +95,19 @@ namespace Riedel
   void
   Simulation<dim>::run()
   {
-    start();
+    if (folder.is_resumed())
+      resume();
+    else
+      start();
     const Interrupt interrupt(communicator);
-    while (load < scene.loading.stop - mark_tolerance)
+    while (!is_complete())
       {
+        if (checkpoints.is_due(n_steps))
+          {
+            // it is read as by a resumed run: so both go on alike
+            if (save_checkpoint())
+              load_checkpoint(checkpoints.last());
+          }
         if (!solve_step())
           continue; // with a smaller step
         accept_step();
@@ -90,10 +116,15 @@ namespace Riedel
         write_fields();
         if (interrupt.requested())
           {
-            log.line("Interrupted: the step is complete, results are written.");
+            if (checkpoints.is_due_at_end(n_steps, /*in_order=*/false))
+              save_checkpoint();
+            log.line("Interrupted: the step is complete, results are written." +
+                     how_to_continue());
             break;
           }
       }
+    if (checkpoints.is_due_at_end(n_steps, /*in_order=*/true))
+      save_checkpoint();
     finish();
   }
 
@@ -103,13 +134,53 @@ namespace Riedel
   void
   Simulation<dim>::start()
   {
-    auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
     if (points.are_moving())
       space.set_frame(Grid::Frame<dim>(body.grid_extent()));
     points.seed(supports->quadrature(), scene.initial_state, body.extent());
     solution = space.owned_vector();
+    prepare();
+    forces_before          = balance->external_forces();
+    boundary_displacements = averages(relevant_solution);
+
+    say_hello();
+    // how far the initial state is from balance under the initial loads
+    if (outcome.residual.relative() > scene.solver.residual)
+      log.line(
+        "The initial stress is out of balance with the initial loads: "
+        "forces " +
+        Output::number(outcome.residual.force / outcome.residual.reference) +
+        " of the reactions. The first step brings it into balance.");
+    log.line(Output::step_header(watch.description()));
+    record_step();
+    write_fields();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::say_hello()
+  {
+    log.line(Output::banner(
+      scene.general.title, scene.file, folder.name(), communicator));
+    for (const std::string &warning : scene.warnings)
+      log.line("Warning: " + warning);
+    log.line(std::to_string(body.triangulation().n_global_active_cells()) +
+             " cells, " + std::to_string(space.dof_handler().n_dofs()) +
+             " unknowns.");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::prepare()
+  {
+    auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
     space.gather(solution, relevant_solution);
     supports->rebuild(relevant_solution, points);
+    averages =
+      Analysis::BoundaryAverages<dim>(scene.geometry.names(), body, space);
     balance =
       std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
                                                   scene.loading,
@@ -121,31 +192,11 @@ namespace Riedel
                                                   timer);
     scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
     increment = space.owned_vector();
-    boundary_displacements = averages(relevant_solution);
     set_up.reset();
 
-    // How far the initial state is from balance under the initial loads.
     LinearAlgebra::Vector r = space.owned_vector();
-    balance->begin_step(relevant_solution, 0.0, 0.0);
+    balance->begin_step(relevant_solution, load, load);
     outcome.residual = balance->residual(increment, r);
-    forces_before    = balance->external_forces();
-
-    log.line(Output::banner(
-      scene.general.title, scene.file, folder.name(), communicator));
-    for (const std::string &warning : scene.warnings)
-      log.line("Warning: " + warning);
-    log.line(std::to_string(body.triangulation().n_global_active_cells()) +
-             " cells, " + std::to_string(space.dof_handler().n_dofs()) +
-             " unknowns.");
-    if (outcome.residual.relative() > scene.solver.residual)
-      log.line(
-        "The initial stress is out of balance with the initial loads: "
-        "forces " +
-        Output::number(outcome.residual.force / outcome.residual.reference) +
-        " of the reactions. The first step brings it into balance.");
-    log.line(Output::step_header(watch.description()));
-    record_step();
-    write_fields();
   }
 
 
@@ -171,6 +222,8 @@ namespace Riedel
              " not solved: " + outcome.failure + ".");
     if (!steps.failed())
       {
+        if (checkpoints.is_due_at_end(n_steps, /*in_order=*/false))
+          save_checkpoint();
         finish();
         throw ComputationError(
           "The step from s = " + Output::number(load) + " to " +
@@ -182,7 +235,7 @@ namespace Riedel
              "= " +
                Output::number(scene.loading.smallest_step) + ".") +
           "\nResults up to s = " + Output::number(load) + " are in " +
-          folder.name() + ".");
+          folder.name() + "." + how_to_continue());
       }
     return false;
   }
@@ -283,9 +336,8 @@ namespace Riedel
   Simulation<dim>::measure_bands()
   {
     const double every = scene.output.bands_every;
-    const bool   last  = load > scene.loading.stop - mark_tolerance;
     if (grain_size == 0.0 || every == 0.0 ||
-        !(last || passed_mark(last_bands, load, every)))
+        !(is_complete() || passed_mark(last_bands, load, every)))
       return;
     const Timer::Scope scope(timer, "measurement of bands");
     last_bands = load;
@@ -319,8 +371,7 @@ namespace Riedel
   void
   Simulation<dim>::write_fields()
   {
-    const bool last = load > scene.loading.stop - mark_tolerance;
-    if (n_steps > 0 && !last &&
+    if (n_steps > 0 && !is_complete() &&
         !passed_mark(last_fields, load, scene.output.fields_every))
       return;
     const Timer::Scope scope(timer, "files of fields");
@@ -337,6 +388,15 @@ namespace Riedel
     return points.are_moving() ?
              Points::nodal_means(space, points, supports->supports()) :
              relevant_solution;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_complete() const
+  {
+    return load > scene.loading.stop - mark_tolerance;
   }
 
 
@@ -364,13 +424,15 @@ namespace Riedel
         const Timer::Scope scope(timer, "files of fields");
         fields.write(load, space, shown_solution(), points);
       }
-    const auto record = make_record();
+    const auto record   = make_record();
+    auto       law_cost = earlier_law_cost;
+    law_cost += balance->law_cost();
     log.line(Output::summary(record,
                              n_floored_points,
                              n_clamped_points,
-                             balance->law_cost(),
+                             law_cost,
                              timer,
-                             wall_seconds(),
+                             wall_seconds() - earlier.wall,
                              communicator));
     if (last_bands > 0.0)
       log.line("At s = " + Output::number(last_bands) + ": " +
@@ -397,13 +459,28 @@ namespace Riedel
     record.external_work  = external_work;
     record.stress_work    = stress_work;
     record.outcome        = outcome;
-    record.sweeps         = balance->n_sweeps;
-    record.factorisations = balance->n_factorisations;
+    const Spent total     = spent();
+    record.sweeps         = total.sweeps;
+    record.factorisations = total.factorisations;
     record.n_bands        = bands.bands.size();
-    record.cpu_seconds =
-      dealii::Utilities::MPI::sum(Timer::cpu_seconds(), communicator);
+    record.cpu_seconds    = total.cpu;
     Output::sum_up_points(points, communicator, record);
     return record;
+  }
+
+
+
+  template <int dim>
+  typename Simulation<dim>::Spent
+  Simulation<dim>::spent() const
+  {
+    Spent total = earlier;
+    total.cpu +=
+      dealii::Utilities::MPI::sum(Timer::cpu_seconds(), communicator);
+    total.wall = wall_seconds();
+    total.sweeps += balance->n_sweeps;
+    total.factorisations += balance->n_factorisations;
+    return total;
   }
 
 
@@ -412,9 +489,9 @@ namespace Riedel
   double
   Simulation<dim>::wall_seconds() const
   {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         wall_start)
-      .count();
+    return earlier.wall + std::chrono::duration<double>(
+                            std::chrono::steady_clock::now() - wall_start)
+                            .count();
   }
 
 

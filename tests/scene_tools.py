@@ -70,27 +70,34 @@ class Check:
         self.faults = 0
         self.here = pathlib.Path(sys.argv[0]).resolve().parent
 
-    def command(self, case, name, settings=(), ranks=1, overwrite=True):
+    def command(self, case, name, settings=(), ranks=1, overwrite=True,
+                resume=False):
         command = [str(self.program), str(case),
                    "--set", f"Results={self.results / name}"]
         for setting in settings:
             command += ["--set", setting]
-        if overwrite:
+        if resume:
+            command.append("--resume")
+        elif overwrite:
             command.append("--overwrite")
         if ranks > 1:
             command = ["mpirun", "--oversubscribe", "-np", str(ranks)] + command
         return command
 
-    def run(self, case, name, settings=(), ranks=1, overwrite=True, expect=0,
-            interrupt_after=None):
-        """Runs a case of this folder. With interrupt_after, the program gets
-        Ctrl-C as soon as its history has so many rows."""
-        process = subprocess.Popen(
-            self.command(case, name, settings, ranks, overwrite),
+    def start(self, *arguments, **options):
+        """A run of a case of this folder, as for command()."""
+        return subprocess.Popen(
+            self.command(*arguments, **options),
             cwd=self.here, text=True, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"))
+
+    def run(self, case, name, settings=(), ranks=1, overwrite=True, expect=0,
+            interrupt_after=None, resume=False):
+        """Runs a case of this folder. With interrupt_after, the program gets
+        Ctrl-C as soon as its history has so many rows."""
+        process = self.start(case, name, settings, ranks, overwrite, resume)
         if interrupt_after is not None:
             history = self.results / name / "history.csv"
             while process.poll() is None:

@@ -7,7 +7,7 @@
 namespace Riedel
 {
   /// Computes what the scene asks for, on all ranks of MPI_COMM_WORLD, into a
-  /// new results folder; returns the program's exit code. Throws InputError or
+  /// results folder; returns the program's exit code. Throws InputError or
   /// ComputationError, on all ranks together.
   template <int dim>
   int

@@ -3,6 +3,7 @@
 
 #include <riedel/analysis/boundary_averages.h>
 #include <riedel/analysis/shear_bands.h>
+#include <riedel/checkpoint/checkpoints.h>
 #include <riedel/equilibrium/balance.h>
 #include <riedel/equilibrium/predictor.h>
 #include <riedel/equilibrium/scheme.h>
@@ -37,14 +38,24 @@ namespace Riedel
                const Scene::Scene<dim>     &scene,
                const Output::ResultsFolder &folder);
 
-    /// Computes all steps. Throws ComputationError if a step cannot be solved;
-    /// everything up to the last good step is on disk then.
+    /// Computes all steps, or those that are left of a run that is resumed.
+    /// Throws ComputationError if a step cannot be solved; everything up to the
+    /// last good step is on disk then.
     void
     run();
 
   private:
     void
     start();
+    /// Goes on where the last checkpoint was written.
+    void
+    resume();
+    void
+    say_hello();
+    /// Supports, equations and the residual at the start of a step, for a grid,
+    /// points and a solution that are new.
+    void
+    prepare();
     bool
     solve_step();
     /// Writes the first guess of a step's increments.
@@ -66,6 +77,42 @@ namespace Riedel
     /// Displacements and rotations at the relevant dofs, for people.
     std::vector<double>
     shown_solution() const;
+
+    /// Effort since the start of the run, also of what it goes on with.
+    struct Spent
+    {
+      double        cpu = 0.0, wall = 0.0; ///< seconds; cpu of all ranks
+      std::uint64_t sweeps = 0, factorisations = 0;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &cpu &wall &sweeps &factorisations;
+      }
+    };
+
+    Spent
+    spent() const;
+
+    /// False if the disk refused.
+    bool
+    save_checkpoint();
+    void
+    load_checkpoint(const std::string &name);
+    /// A line for the end of a message, if the run can be resumed.
+    std::string
+    how_to_continue() const;
+    typename Checkpoint::Checkpoints<dim>::Bodies
+    bodies();
+    /// The numbers of the state of the run, to or from an archive.
+    template <class Archive>
+    void
+    exchange(Archive &archive);
+
+    /// Has Loading/Stop been reached?
+    bool
+    is_complete() const;
     double
     next_mark(const double every) const;
     Output::StepRecord<dim>
@@ -96,6 +143,8 @@ namespace Riedel
     Output::Fields<dim> fields;
     Output::Watch<dim>  watch;
 
+    Checkpoint::Checkpoints<dim> checkpoints;
+
     /// the longest of the laws' lengths, d50 [m]; 0 without rotations
     double grain_size = 0.0;
 
@@ -110,8 +159,12 @@ namespace Riedel
     LinearAlgebra::Vector forces_before; ///< external, last accepted step
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;
-    Analysis::ShearBands  bands;
+    Analysis::ShearBands  bands{};
     double                last_fields = 0.0, last_bands = 0.0;
     std::size_t           n_floored_points = 0, n_clamped_points = 0;
+
+    /// by balances before the present one, and runs before this one
+    Spent                                     earlier;
+    typename Equilibrium::Assembly<dim>::Cost earlier_law_cost;
   };
 } // namespace Riedel

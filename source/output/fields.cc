@@ -9,8 +9,10 @@
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 
 namespace Riedel::Output
 {
@@ -154,6 +156,32 @@ namespace Riedel::Output
         if (is_first_rank)
           write_collection(folder->path("points.pvd"), point_files);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Fields<dim>::resume() const
+  {
+    namespace fs = std::filesystem;
+    const std::regex names("(grid|points)-([0-9]+)\\.(vtu|pvtu|h5)");
+    const auto       n_sets = std::max(grid_files.size(), point_files.size());
+    std::vector<fs::path> newer;
+    for (const auto &file : fs::directory_iterator(folder->name()))
+      {
+        const std::string name = file.path().filename().string();
+        std::smatch       parts;
+        if (std::regex_match(name, parts, names) &&
+            std::stoul(parts[2]) >= n_sets)
+          newer.push_back(file.path());
+      }
+    for (const fs::path &file : newer)
+      fs::remove(file);
+    if (!grid_files.empty())
+      write_collection(folder->path("grid.pvd"), grid_files);
+    if (!point_files.empty())
+      write_collection(folder->path("points.pvd"), point_files);
   }
 
 

@@ -10,12 +10,15 @@
 
 namespace Riedel::Output
 {
-  Log::Log(const std::string &path, const bool speaks, const bool may_draw)
+  Log::Log(const std::string &path,
+           const bool         speaks,
+           const bool         may_draw,
+           const bool         append)
     : speaks(speaks)
     , interactive(speaks && may_draw && isatty(STDOUT_FILENO) == 1)
   {
     if (speaks)
-      file.open(path);
+      file.open(path, append ? std::ios::app : std::ios::out);
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/checkpoint/store.h>
 #include <riedel/errors.h>
 #include <riedel/output/results_folder.h>
 #include <riedel/version.h>
@@ -27,8 +28,8 @@ namespace Riedel::Output
              line.compare(0, mark.size(), mark) == 0;
     }
 
-    /// Removes the files of an earlier run; whatever a user put beside them
-    /// stays.
+    /// Removes the files of an earlier run, except the one by which the folder
+    /// is known; whatever a user put beside them stays.
     void
     remove_results(const fs::path &folder)
     {
@@ -37,27 +38,31 @@ namespace Riedel::Output
       std::vector<fs::path> files;
       for (const auto &file : fs::directory_iterator(folder))
         if (file.is_regular_file() &&
+            file.path().filename() != "parameters.prm" &&
             (types.count(file.path().extension().string()) > 0 ||
              file.path().filename() == "log.txt"))
           files.push_back(file.path());
       for (const fs::path &file : files)
         fs::remove(file);
+      Checkpoint::Store(folder).clear();
     }
 
+    /// A file of an earlier run is replaced at once or not at all.
     void
     write(const fs::path &path, const std::string &text)
     {
-      std::ofstream file(path);
+      const fs::path fresh = path.string() + ".new";
+      std::ofstream  file(fresh);
       file << text;
-      if (!file.flush())
+      std::error_code code;
+      if (file.flush())
+        fs::rename(fresh, path, code);
+      if (!file || code)
         throw InputError("Cannot write the file \"" + path.string() + "\".");
     }
 
     void
-    create(const fs::path    &folder,
-           const bool         overwrite,
-           const std::string &original_text,
-           const std::string &effective_text)
+    create(const fs::path &folder, const bool overwrite)
     {
       const std::string quoted = "\"" + folder.string() + "\"";
       if (fs::exists(folder))
@@ -80,10 +85,16 @@ namespace Riedel::Output
           remove_results(folder);
         }
       fs::create_directories(folder);
-      write(folder / "original.prm", original_text);
-      write(folder / "parameters.prm",
-            mark + RIEDEL_VERSION + ": all parameters of this run\n\n" +
-              effective_text);
+    }
+
+    void
+    check_resumed(const fs::path &folder)
+    {
+      if (!is_ours(folder))
+        throw InputError("Results: there is nothing to resume: \"" +
+                         folder.string() +
+                         "\" has no results of Riedel. A run begins without "
+                         "--resume.");
     }
   } // namespace
 
@@ -91,17 +102,26 @@ namespace Riedel::Output
 
   ResultsFolder::ResultsFolder(const MPI_Comm     communicator,
                                const std::string &folder,
-                               const bool         overwrite,
+                               const Existing     existing,
                                const std::string &original_text,
                                const std::string &effective_text)
     : folder(folder)
+    , existing(existing)
+    , original_text(original_text)
+    , effective_text(effective_text)
   {
     // All ranks must fail together, or those that do not would wait forever.
     std::string error;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       try
         {
-          create(folder, overwrite, original_text, effective_text);
+          if (is_resumed())
+            check_resumed(folder);
+          else
+            {
+              create(folder, existing == Existing::replace);
+              write_inputs();
+            }
         }
       catch (const InputError &reason)
         {
@@ -115,6 +135,18 @@ namespace Riedel::Output
     error = dealii::Utilities::MPI::broadcast(communicator, error, 0);
     if (!error.empty())
       throw InputError(error);
+  }
+
+
+
+  void
+  ResultsFolder::write_inputs() const
+  {
+    // first the one by which the folder is known
+    write(path("parameters.prm"),
+          mark + RIEDEL_VERSION + ": all parameters of this run\n\n" +
+            effective_text);
+    write(path("original.prm"), original_text);
   }
 
 

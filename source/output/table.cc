@@ -2,14 +2,16 @@
 #include <riedel/output/table.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace Riedel::Output
 {
-  Table::Table(const std::string &path, const bool writes)
-    : writes(writes)
+  Table::Table(const std::string &path, const bool writes, const bool append)
+    : path(path)
+    , writes(writes)
   {
     if (writes)
-      file.open(path);
+      file.open(path, append ? std::ios::app : std::ios::out);
     // enough to compare runs at rounding level
     file.precision(12);
   }
@@ -21,10 +23,10 @@ namespace Riedel::Output
   {
     if (!writes)
       return;
-    if (!has_header)
+    if (n_rows == 0)
       for (std::size_t i = 0; i < row.size(); ++i)
         file << row[i].first << (i + 1 < row.size() ? "," : "\n");
-    has_header = true;
+    ++n_rows;
     for (std::size_t i = 0; i < row.size(); ++i)
       {
         if (std::isnan(row[i].second))
@@ -34,5 +36,29 @@ namespace Riedel::Output
         file << (i + 1 < row.size() ? "," : "\n");
       }
     file.flush();
+  }
+
+
+
+  bool
+  Table::resume()
+  {
+    if (!writes)
+      return true;
+    // the header and the rows up to here, each a complete line
+    std::ifstream  present(path);
+    std::string    line;
+    std::uint64_t  n_lines = 0;
+    std::uintmax_t length  = 0;
+    const auto     wanted  = (n_rows == 0 ? 0 : n_rows + 1);
+    while (n_lines < wanted && std::getline(present, line) && !present.eof())
+      {
+        length = static_cast<std::uintmax_t>(present.tellg());
+        ++n_lines;
+      }
+    std::filesystem::resize_file(path, length);
+    const bool complete = n_lines == wanted;
+    n_rows              = n_lines == 0 ? 0 : n_lines - 1;
+    return complete;
   }
 } // namespace Riedel::Output

@@ -174,6 +174,33 @@ namespace Riedel::Points
 
 
   template <int dim>
+  void
+  MaterialPoints<dim>::prepare_to_save()
+  {
+    handler.prepare_for_serialization();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::load()
+  {
+    handler.deserialize();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::remove_all()
+  {
+    handler.clear_particles();
+  }
+
+
+
+  template <int dim>
   unsigned int
   MaterialPoints<dim>::material(
     const typename dealii::Particles::ParticleHandler<dim>::particle_iterator
@@ -396,6 +423,31 @@ namespace Riedel::Points
   {
     std::swap(committed_states, trial_states);
     copy_states(/*to_rows=*/true);
+  }
+
+
+
+  template <int dim>
+  std::string
+  MaterialPoints<dim>::slot_names() const
+  {
+    std::string names;
+    for (const auto &slot : slots.slots())
+      names += (names.empty() ? "" : ", ") + slot.name + " " +
+               std::to_string(slot.size());
+    return names;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::check_slots(const std::string &names) const
+  {
+    if (names != slot_names())
+      throw InputError("The run cannot be resumed: another version of Riedel "
+                       "wrote its points, with the values\n  " +
+                       names + "\ninstead of\n  " + slot_names());
   }
 
 

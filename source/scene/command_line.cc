@@ -47,6 +47,9 @@ namespace Riedel::Scene
     app.add_flag("--overwrite",
                  command.overwrite,
                  "Replace the results of an earlier run");
+    app.add_flag("--resume",
+                 command.resume,
+                 "Go on from the last checkpoint of an earlier run");
     const CLI::Option *const version =
       app.add_flag("--version", "Print the version and end");
     // not an error of its own: the nearest option is looked up below
@@ -104,6 +107,9 @@ namespace Riedel::Scene
                command.case_file + "\".") +
           "\n\"riedel --help\" lists the options.");
       }
+    if (command.resume && command.overwrite)
+      throw InputError("--resume goes on with the results of an earlier run, "
+                       "--overwrite removes them: give one of the two.");
     if (command.case_file.empty() && !command.print_parameters)
       throw InputError("Which case? Write \"riedel case.prm\"; "
                        "\"riedel --help\" lists the options.");

@@ -293,6 +293,7 @@ namespace Riedel::Scene
     Equilibrium::LoadingParameters<dim>::declare(prm);
     Equilibrium::SolverParameters::declare(prm);
     Output::Parameters::declare(prm);
+    Checkpoint::Parameters::declare(prm);
     ElementTest::Parameters::declare(prm);
   }
 
@@ -316,6 +317,7 @@ namespace Riedel::Scene
     loading.parse(prm);
     solver.parse(prm);
     output.parse(prm);
+    checkpoint.parse(prm);
     element_test.parse(prm);
   }
 

@@ -10,6 +10,7 @@
 
 using Catch::Contains;
 using Riedel::InputError;
+using Riedel::Output::Existing;
 using Riedel::Output::ResultsFolder;
 namespace fs = std::filesystem;
 
@@ -18,8 +19,11 @@ namespace
   ResultsFolder
   make(const fs::path &path, const bool overwrite)
   {
-    return ResultsFolder(
-      MPI_COMM_WORLD, path.string(), overwrite, "set A = 1\n", "set A = 2\n");
+    return ResultsFolder(MPI_COMM_WORLD,
+                         path.string(),
+                         overwrite ? Existing::replace : Existing::refuse,
+                         "set A = 1\n",
+                         "set A = 2\n");
   }
 
   std::string

@@ -56,6 +56,14 @@ namespace Riedel::Analysis
     double       void_ratio;      ///< median on the ridge; NaN if not given
     unsigned int n_cuts;          ///< cuts that gave a thickness
     std::array<double, 2> centre; ///< of the ridge [m]
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &sign &length &thickness_50 &thickness_10 &inclination;
+      archive &spacing &rotation &void_ratio &n_cuts    &centre[0] & centre[1];
+    }
   };
 
   struct ShearBands
@@ -69,6 +77,14 @@ namespace Riedel::Analysis
     /// median where |w| < 5 % of the percentile; over all points without bands
     double void_ratio_outside;
     double largest_rotation; ///< over the body [rad]
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &bands &thickness_50 &thickness_10 &inclination &spacing;
+      archive &void_ratio_inside &void_ratio_outside          &largest_rotation;
+    }
   };
 
   /// Finds and measures the shear bands (doc/shear_bands.md).

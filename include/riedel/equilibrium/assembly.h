@@ -76,6 +76,16 @@ namespace Riedel::Equilibrium
       double        tangent_seconds = 0.0;
       std::uint64_t value_points    = 0;
       std::uint64_t tangent_points  = 0;
+
+      Cost &
+      operator+=(const Cost &other)
+      {
+        value_seconds += other.value_seconds;
+        tangent_seconds += other.tangent_seconds;
+        value_points += other.value_points;
+        tangent_points += other.tangent_points;
+        return *this;
+      }
     };
 
     /// Generalised increments of all points in the last sweep.

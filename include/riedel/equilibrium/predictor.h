@@ -3,6 +3,8 @@
 
 #include <riedel/linear_algebra.h>
 
+#include <vector>
+
 namespace Riedel::Equilibrium
 {
   /**
@@ -30,6 +32,21 @@ namespace Riedel::Equilibrium
     /// The guess for the next step.
     void
     predict(const double step, LinearAlgebra::Vector &du) const;
+
+    /// What belongs to the state of a run ...
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &n_steps &last_step &step_before;
+    }
+
+    /// ... with these vectors; they may be empty.
+    std::vector<LinearAlgebra::Vector *>
+    vectors()
+    {
+      return {&last_du, &du_before};
+    }
 
   private:
     const unsigned int    order;

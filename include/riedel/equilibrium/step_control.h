@@ -3,6 +3,8 @@
 
 #include <riedel/equilibrium/parameters.h>
 
+#include <algorithm>
+
 namespace Riedel::Equilibrium
 {
   /**
@@ -67,6 +69,18 @@ namespace Riedel::Equilibrium
     n_cuts() const
     {
       return cuts;
+    }
+
+    /// The state of a run. Limits and fixed steps are those of the parameters,
+    /// which may have changed since it was written.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      double                               present = size;
+      archive &present &last &uncut &cuts &failures_in_a_row;
+      if (Archive::is_loading::value && !fixed)
+        size = std::clamp(present, smallest, largest);
     }
 
   private:

@@ -74,6 +74,13 @@ namespace Riedel::Grid
       return X;
     }
 
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &undeformed &present &is_identity;
+    }
+
   private:
     dealii::BoundingBox<dim> undeformed, present;
     bool                     is_identity = true;

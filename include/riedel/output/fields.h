@@ -7,6 +7,10 @@
 #include <riedel/output/results_folder.h>
 #include <riedel/points/material_points.h>
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +38,19 @@ namespace Riedel::Output
           const Grid::Space<dim>            &space,
           const std::vector<double>         &solution,
           const Points::MaterialPoints<dim> &points);
+
+    /// The state of a run: the lists of files.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &grid_files &point_files;
+    }
+
+    /// Removes the sets that are newer than the lists, and writes the lists.
+    /// For rank 0.
+    void
+    resume() const;
 
   private:
     void

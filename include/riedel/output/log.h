@@ -15,8 +15,12 @@ namespace Riedel::Output
   {
   public:
     /// @p path of the log file; @p speaks: this rank is the one; @p may_draw:
-    /// a progress bar is wanted if the output is a terminal.
-    Log(const std::string &path, const bool speaks, const bool may_draw);
+    /// a progress bar is wanted if the output is a terminal; @p append: the
+    /// file goes on.
+    Log(const std::string &path,
+        const bool         speaks,
+        const bool         may_draw,
+        const bool         append);
 
     /// Writes a text and ends the line.
     void

@@ -77,6 +77,32 @@ namespace Riedel::Points
          const InitialStateParameters<dim> &initial,
          const dealii::BoundingBox<dim>    &body);
 
+    /// Attaches the points to the grid before it is saved.
+    void
+    prepare_to_save();
+
+    /// The points that came with a grid that has been loaded; their
+    /// bookkeeping, serialize(), must have been read before. Their order has
+    /// to be fixed again.
+    void
+    load();
+
+    /// Before another grid is loaded.
+    void
+    remove_all();
+
+    /// What of the points is not attached to the grid. Throws InputError if
+    /// the points that are read have other slots.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      std::string names = slot_names();
+      archive    &names;
+      check_slots(names);
+      archive &handler &split_count &removed_count;
+    }
+
     const dealii::Particles::ParticleHandler<dim> &
     particles() const
     {
@@ -250,6 +276,13 @@ namespace Riedel::Points
     /// deal.II 9.4 divides by the distance from it when it sorts.
     void
     put(Particle &particle, const dealii::Point<dim> &X) const;
+
+    /// Names and sizes of the slots: `material 1, stress 5, ...`
+    std::string
+    slot_names() const;
+
+    void
+    check_slots(const std::string &names) const;
 
     dealii::Tensor<1, dim>
     displacement(const unsigned int point) const

@@ -20,6 +20,8 @@ namespace Riedel::Scene
     bool validate = false;
     /// replace the results of an earlier run
     bool overwrite = false;
+    /// go on from the last checkpoint in the results folder
+    bool resume = false;
     /// print the parameters in this format instead of computing
     std::optional<Format> print_parameters;
     /// if not empty: print this text (--help, --version) and end

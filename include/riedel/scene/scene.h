@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/checkpoint/parameters.h>
 #include <riedel/element_test/parameters.h>
 #include <riedel/equilibrium/parameters.h>
 #include <riedel/errors.h>
@@ -40,6 +41,7 @@ namespace Riedel::Scene
     Equilibrium::LoadingParameters<dim>           loading;
     Equilibrium::SolverParameters                 solver;
     Output::Parameters                            output;
+    Checkpoint::Parameters                        checkpoint;
     ElementTest::Parameters                       element_test;
 
     /// the case file as the user named it
