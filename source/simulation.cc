@@ -38,6 +38,18 @@ namespace Riedel
           {parameter.path, parameter.value, parameter.default_value});
       return result;
     }
+    /// Sides of the grid whose normal displacement is prescribed.
+    template <int dim>
+    std::vector<bool>
+    walls(const Scene::Scene<dim> &scene)
+    {
+      std::vector<bool> is_wall(2 * dim, false);
+      for (const auto &[id, name] : scene.geometry.boundary_names)
+        for (const auto &boundary : scene.boundary_conditions.boundaries)
+          if (boundary.name == name && id < 2 * dim)
+            is_wall[id] = boundary.displacement[id / 2].given();
+      return is_wall;
+    }
   } // namespace
 
 
@@ -62,6 +74,7 @@ namespace Riedel
         space,
         scene.grid,
         scene.moving_points,
+        walls(scene),
         !scene.materials.materials.front().law->is_geometrically_linear()))
     , steps(scene.loading, scene.solver, points.are_moving())
     , extrapolation(

@@ -34,6 +34,7 @@ namespace Riedel::Output
     record.are_moving = points.are_moving();
     record.n_split    = points.n_split();
     record.n_removed  = points.n_removed();
+    record.n_held     = points.n_held();
   }
 
 
@@ -118,6 +119,8 @@ namespace Riedel::Output
                          static_cast<double>(record.n_split));
         row.emplace_back("removed points [1]",
                          static_cast<double>(record.n_removed));
+        row.emplace_back("points held by walls [1]",
+                         static_cast<double>(record.n_held));
       }
     return row;
   }

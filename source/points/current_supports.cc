@@ -15,10 +15,12 @@ namespace Riedel::Points
   CurrentSupports<dim>::CurrentSupports(const Grid::Space<dim>       &space,
                                         const Grid::Parameters       &grid,
                                         const MovingPointsParameters &moving,
+                                        const std::vector<bool>      &is_wall,
                                         const bool follow_deformation)
     : space(&space)
     , parameters(grid)
     , moving(moving)
+    , is_wall(is_wall)
     , follow_deformation(follow_deformation)
   {}
 
@@ -370,8 +372,33 @@ namespace Riedel::Points
                 for (unsigned int j = 0; j < dim; ++j)
                   F_row[i * dim + j] = F[i][j];
             }
-          points.move(p, x, space->frame());
+          const auto held = before_walls(x, points.half_lengths(row));
+          if (held.distance(x) > 0.0)
+            points.count_held();
+          points.move(p, held, space->frame());
         }
+  }
+
+
+
+  template <int dim>
+  dealii::Point<dim>
+  CurrentSupports<dim>::before_walls(
+    const dealii::Point<dim>     &x,
+    const dealii::Tensor<1, dim> &half_lengths) const
+  {
+    constexpr double   least_distance = 0.01; // of the half length
+    const auto        &grid           = space->frame().grid();
+    dealii::Point<dim> held           = x;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double distance = least_distance * half_lengths[d];
+        if (is_wall[2 * d])
+          held[d] = std::max(held[d], grid.lower_bound(d) + distance);
+        if (is_wall[2 * d + 1])
+          held[d] = std::min(held[d], grid.upper_bound(d) - distance);
+      }
+    return held;
   }
 
 

@@ -413,6 +413,8 @@ namespace Riedel::Points
                      "Leaving points = remove\" in section Material points.");
       }
     removed_count += all;
+    held_count += dealii::Utilities::MPI::sum(held_here, communicator);
+    held_here = 0;
   }
 
 

@@ -9,12 +9,14 @@ namespace Riedel::Points
   SupportBuilder<dim>::create(const Grid::Space<dim>       &space,
                               const Grid::Parameters       &grid,
                               const MovingPointsParameters &moving,
+                              const std::vector<bool>      &is_wall,
                               const bool                    follow_deformation)
   {
     if (grid.configuration == Grid::ReferenceConfiguration::current)
       return std::make_unique<CurrentSupports<dim>>(space,
                                                     grid,
                                                     moving,
+                                                    is_wall,
                                                     follow_deformation);
     return std::make_unique<InitialSupports<dim>>(space,
                                                   grid,

@@ -29,6 +29,7 @@ namespace Riedel::Points
     CurrentSupports(const Grid::Space<dim>       &space,
                     const Grid::Parameters       &grid,
                     const MovingPointsParameters &moving,
+                    const std::vector<bool>      &is_wall,
                     const bool                    follow_deformation);
 
     dealii::Quadrature<dim>
@@ -78,6 +79,13 @@ namespace Riedel::Points
     void
     find_unseen_nodes();
 
+    /// A place before the walls for a point that has moved to @p x [m]. Points
+    /// move by means over their boxes and may come to a wall before their boxes
+    /// have.
+    dealii::Point<dim>
+    before_walls(const dealii::Point<dim>     &x,
+                 const dealii::Tensor<1, dim> &half_lengths) const;
+
     void
     advance(const std::vector<double> &du,
             const std::vector<double> &increments,
@@ -86,6 +94,7 @@ namespace Riedel::Points
     const Grid::Space<dim>      *space;
     const Grid::Parameters       parameters;
     const MovingPointsParameters moving;
+    const std::vector<bool>      is_wall;
     const bool                   follow_deformation;
   };
 } // namespace Riedel::Points

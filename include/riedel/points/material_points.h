@@ -100,7 +100,7 @@ namespace Riedel::Points
       std::string names = slot_names();
       archive    &names;
       check_slots(names);
-      archive &handler &split_count &removed_count;
+      archive &handler &split_count &removed_count &held_count;
     }
 
     const dealii::Particles::ParticleHandler<dim> &
@@ -226,6 +226,20 @@ namespace Riedel::Points
       return split_count;
     }
 
+    /// A point of this rank was held back by a wall.
+    void
+    count_held()
+    {
+      ++held_here;
+    }
+
+    /// How often a point was held back by a wall, on all ranks.
+    std::uint64_t
+    n_held() const
+    {
+      return held_count;
+    }
+
     /// Points that have left the grid since the start, on all ranks.
     std::uint64_t
     n_removed() const
@@ -306,6 +320,8 @@ namespace Riedel::Points
 
     std::uint64_t                              split_count   = 0;
     std::uint64_t                              removed_count = 0;
+    std::uint64_t                              held_count    = 0;
+    std::uint64_t                              held_here = 0; ///< not added yet
     std::vector<Particle>                      particle_at;
     std::vector<double *>                      rows;
     std::vector<dealii::types::particle_index> ids;

@@ -23,11 +23,14 @@ namespace Riedel::Points
     virtual ~SupportBuilder() = default;
 
     /// @p follow_deformation: false if all laws are geometrically linear: then
-    /// neither gradients nor points move.
+    /// neither gradients nor points move. @p is_wall: sides of the grid (left,
+    /// right, bottom, top, ...) whose normal displacement is prescribed: moving
+    /// points stay before them.
     static std::unique_ptr<SupportBuilder>
     create(const Grid::Space<dim>       &space,
            const Grid::Parameters       &grid,
            const MovingPointsParameters &moving,
+           const std::vector<bool>      &is_wall,
            const bool                    follow_deformation);
 
     /// The quadrature whose points the material points are seeded on.
