@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/adaptation/grid_change.h>
+#include <riedel/adaptation/initial_point_transfer.h>
 #include <riedel/analysis/deformed_field.h>
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
@@ -40,6 +42,10 @@ namespace Riedel
     , wall_start(std::chrono::steady_clock::now())
     , body(communicator, scene.geometry, scene.grid)
     , space(body.triangulation(), scene.grid, scene.materials.is_micropolar())
+    , adaptivity(scene.adaptation,
+                 scene.materials,
+                 scene.initial_state,
+                 body.triangulation())
     , points(body.triangulation(), scene.materials)
     , supports(
         space,
@@ -76,6 +82,7 @@ namespace Riedel
     const Interrupt interrupt(communicator);
     while (load < scene.loading.stop - mark_tolerance)
       {
+        adapt_grid();
         if (!solve_step())
           continue; // with a smaller step
         accept_step();
@@ -98,22 +105,13 @@ namespace Riedel
   Simulation<dim>::start()
   {
     auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
+    if (adaptivity.refine_initially(body.triangulation()))
+      space.distribute();
     points.seed(supports.quadrature(), scene.initial_state, body.extent());
-    supports.rebuild(points);
-    solution = space.owned_vector();
-    space.gather(solution, relevant_solution);
-    supports.update(relevant_solution, points);
-    balance =
-      std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
-                                                  scene.loading,
-                                                  scene.solver,
-                                                  body,
-                                                  space,
-                                                  points,
-                                                  supports.supports(),
-                                                  timer);
-    scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
+    solution  = space.owned_vector();
     increment = space.owned_vector();
+    rebuild_supports();
+    rebuild_equations();
     set_up.reset();
 
     // How far the initial state is from balance under the initial loads.
@@ -138,6 +136,101 @@ namespace Riedel
     log.line(Output::step_header(watch.description()));
     record_step();
     write_fields();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::rebuild_supports()
+  {
+    supports.rebuild(points);
+    space.gather(solution, relevant_solution);
+    supports.update(relevant_solution, points);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::rebuild_equations()
+  {
+    const auto before = std::move(balance);
+    balance =
+      std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
+                                                  scene.loading,
+                                                  scene.solver,
+                                                  body,
+                                                  space,
+                                                  points,
+                                                  supports.supports(),
+                                                  timer);
+    if (before)
+      balance->continue_counts(*before);
+    scheme = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
+    averages =
+      Analysis::BoundaryAverages<dim>(scene.geometry.names(), body, space);
+    grid_record.cells    = body.triangulation().n_global_active_cells();
+    grid_record.unknowns = space.dof_handler().n_dofs();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::adapt_grid()
+  {
+    if (!adaptivity.is_on() || last_look == n_steps)
+      return; // a failed step is tried again on the same grid
+    last_look             = n_steps;
+    grid_record.imbalance = grid_record.force_jump =
+      grid_record.stress_change                    = 0.0;
+    if (!adaptivity.is_due(n_steps))
+      return;
+    const Timer::Scope scope(timer, "adaptation of the grid");
+
+    const double force_before  = watch.force(balance->reactions());
+    const auto   stress_before = Adaptation::summed_stress(points, communicator);
+    std::vector<double> relevant_increment;
+    unsigned int        round = 0;
+    for (; round < adaptivity.n_rounds(); ++round)
+      {
+        space.gather(increment, relevant_increment);
+        if (!adaptivity.mark(body.triangulation(),
+                             space,
+                             points,
+                             supports.supports(),
+                             relevant_increment))
+          break;
+        auto vectors = extrapolation.vectors();
+        vectors.insert(vectors.end(), {&solution, &increment});
+        Adaptation::InitialPointTransfer<dim> transfer(body.triangulation(),
+                                                       points,
+                                                       supports.quadrature());
+        Adaptation::change_grid(body.triangulation(), space, transfer, vectors);
+        rebuild_supports();
+      }
+    if (round == 0)
+      return;
+    rebuild_equations();
+
+    // The state in balance on the old grid, seen by the new one. The next step
+    // releases what is out of balance: holding the load for it does harm.
+    LinearAlgebra::Vector r = space.owned_vector(), zero = space.owned_vector();
+    balance->begin_step(relevant_solution, load);
+    const auto residual = balance->residual(zero, r);
+    forces_before       = balance->external_forces();
+
+    ++grid_record.n_changes;
+    grid_record.imbalance     = residual.relative();
+    grid_record.force_jump    = watch.force(balance->reactions()) - force_before;
+    grid_record.stress_change = Adaptation::relative_change(
+      stress_before, Adaptation::summed_stress(points, communicator));
+    log.line("  new grid: " + std::to_string(grid_record.cells) + " cells, " +
+             std::to_string(grid_record.unknowns) +
+             " unknowns; out of balance " +
+             Output::number(grid_record.imbalance) + ", jump of P1 " +
+             Output::number(1e-3 * grid_record.force_jump) + " kN/m.");
   }
 
 
@@ -339,6 +432,8 @@ namespace Riedel
     record.n_bands        = bands.bands.size();
     record.cpu_seconds =
       dealii::Utilities::MPI::sum(Timer::cpu_seconds(), communicator);
+    if (adaptivity.is_on())
+      record.grid = grid_record;
     Output::sum_up_points(points, communicator, record);
     return record;
   }

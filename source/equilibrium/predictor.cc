@@ -32,4 +32,17 @@ namespace Riedel::Equilibrium
     const double factor = step * (step + last_step) / (last_step + step_before);
     du.add(factor / last_step, last_du, -factor / step_before, du_before);
   }
+
+
+
+  std::vector<LinearAlgebra::Vector *>
+  Extrapolation::vectors()
+  {
+    std::vector<LinearAlgebra::Vector *> result;
+    if (n_steps > 0)
+      result.push_back(&last_du);
+    if (n_steps > 1)
+      result.push_back(&du_before);
+    return result;
+  }
 } // namespace Riedel::Equilibrium

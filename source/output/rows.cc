@@ -109,6 +109,19 @@ namespace Riedel::Output
             {"bands [1]", static_cast<double>(record.n_bands)},
             {"cpu time [s]", record.cpu_seconds}};
     row.insert(row.end(), rest.begin(), rest.end());
+
+    if (record.grid)
+      {
+        const Row grid = {
+          {"cells [1]", static_cast<double>(record.grid->cells)},
+          {"unknowns [1]", static_cast<double>(record.grid->unknowns)},
+          {"grid changes [1]", record.grid->n_changes},
+          {"imbalance after change [1]", record.grid->imbalance},
+          {"force jump at change [N" + per_metre + "]",
+           record.grid->force_jump},
+          {"stress change at change [1]", record.grid->stress_change}};
+        row.insert(row.end(), grid.begin(), grid.end());
+      }
     return row;
   }
 

@@ -3,6 +3,8 @@
 
 #include <riedel/linear_algebra.h>
 
+#include <vector>
+
 namespace Riedel::Equilibrium
 {
   /**
@@ -30,6 +32,10 @@ namespace Riedel::Equilibrium
     /// The guess for the next step.
     void
     predict(const double step, LinearAlgebra::Vector &du) const;
+
+    /// The remembered increments, for the transfer to another grid.
+    std::vector<LinearAlgebra::Vector *>
+    vectors();
 
   private:
     const unsigned int    order;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/adaptation/record.h>
 #include <riedel/analysis/shear_bands.h>
 #include <riedel/equilibrium/balance.h>
 #include <riedel/equilibrium/scheme.h>
 #include <riedel/material/parameters.h>
 #include <riedel/points/material_points.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +43,7 @@ namespace Riedel::Output
     std::uint64_t        sweeps = 0, factorisations = 0; ///< since the start
     std::size_t          n_bands     = 0;
     double               cpu_seconds = 0.0; ///< of all ranks
+    std::optional<Adaptation::Record> grid; ///< if the grid may change
   };
 
   /// Volume, mass and number of points over all ranks, into @p record.

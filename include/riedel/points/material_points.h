@@ -47,6 +47,23 @@ namespace Riedel::Points
          const InitialStateParameters<dim> &initial,
          const dealii::BoundingBox<dim>    &body);
 
+    /// Removes all points: they cannot be touched until the next set_order().
+    void
+    clear();
+
+    /// Puts a point into a cell: its place in the cell and in the undeformed
+    /// body [m], an id that no other point has, the slots of layout().
+    void
+    insert(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+           const dealii::Point<dim>                  &place_in_cell,
+           const dealii::Point<dim>                  &position,
+           const dealii::types::particle_index        id,
+           const double                              *slots_of_point);
+
+    /// After the last insert(); collective.
+    void
+    finish_insertion();
+
     const dealii::Particles::ParticleHandler<dim> &
     particles() const
     {
@@ -118,6 +135,13 @@ namespace Riedel::Points
       return ids[point];
     }
 
+    /// Active cell index of the cell that a point is in.
+    unsigned int
+    cell(const unsigned int point) const
+    {
+      return cells[point];
+    }
+
     /// Position of a point before the first step [m].
     const dealii::Point<dim> &
     initial_position(const unsigned int point) const
@@ -165,6 +189,7 @@ namespace Riedel::Points
     std::vector<double *>                      rows;
     std::vector<dealii::types::particle_index> ids;
     std::vector<dealii::Point<dim>>            positions;
+    std::vector<unsigned int>                  cells;
     std::vector<Range>                         law_ranges;
     std::vector<std::size_t>                   state_offset;
     std::vector<double>                        committed_states;
