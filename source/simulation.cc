@@ -196,7 +196,8 @@ namespace Riedel
     for (; round < adaptivity.n_rounds(); ++round)
       {
         space.gather(increment, relevant_increment);
-        if (!adaptivity.mark(body.triangulation(),
+        if (!adaptivity.mark(round == 0 && adaptivity.may_coarsen(n_steps),
+                             body.triangulation(),
                              space,
                              points,
                              supports.supports(),

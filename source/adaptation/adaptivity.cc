@@ -51,16 +51,20 @@ namespace Riedel::Adaptation
   template <int dim>
   bool
   Adaptivity<dim>::mark(
+    const bool                                         may_coarsen,
     dealii::parallel::distributed::Triangulation<dim> &triangulation,
     const Grid::Space<dim>                            &space,
     const Points::MaterialPoints<dim>                 &points,
     const Points::Supports<dim>                       &supports,
     const std::vector<double>                         &increment) const
   {
+    Limits now = limits;
+    if (!may_coarsen)
+      now.coarsen_below = 0.0;
     return Adaptation::mark(
       triangulation,
       activity(parameters, regions, space, points, supports, increment),
-      limits);
+      now);
   }
 
 

@@ -93,12 +93,17 @@ namespace Riedel::Adaptation
   {
     const MPI_Comm communicator = Compat::communicator(triangulation);
 
+    // A threshold is that of the last division; a cell that has n more of them
+    // before it is divided at 1/2^n of it.
     const auto reaching = [&](const double least) {
       std::vector<bool> result(triangulation.n_active_cells(), false);
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           result[cell->active_cell_index()] =
-            activity[cell->active_cell_index()] >= least;
+            std::ldexp(activity[cell->active_cell_index()],
+                       std::max(static_cast<int>(limits.finest_level) - 1 -
+                                  cell->level(),
+                                0)) >= least;
       return result;
     };
     // rounding must not divide a cell that has the wanted size
@@ -122,10 +127,11 @@ namespace Riedel::Adaptation
     const std::vector<bool> alive =
       limits.coarsen_below == 0.0 ?
         std::vector<bool>(wide.size(), true) :
-        // wider than the buffer: its cells have been divided since
+        // as many layers of children reach into every cell of a divided buffer:
+        // it must not be made coarse at the next look
         widen(triangulation,
               reaching(limits.coarsen_below),
-              2 * limits.buffer_layers);
+              limits.buffer_layers > 0 ? 2 * limits.buffer_layers - 1 : 0);
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {

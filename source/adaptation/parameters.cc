@@ -70,6 +70,11 @@ namespace Riedel::Adaptation
                       "Four cells become one again when no criterion reaches "
                       "this share of its threshold in or next to them; 0: "
                       "never.");
+    prm.declare_entry("Coarsen every steps",
+                      "20",
+                      Patterns::Integer(1),
+                      "Steps between two looks for cells that can become "
+                      "coarse: it is never urgent, and each change costs.");
     prm.declare_entry("Refine initially",
                       "zones, random field",
                       Patterns::List(Patterns::Selection(zones + "|" +
@@ -141,6 +146,7 @@ namespace Riedel::Adaptation
     every_steps   = prm.get_integer("Every steps");
     buffer_layers = prm.get_integer("Buffer layers");
     coarsen_below = prm.get_double("Coarsen below");
+    coarsen_every = prm.get_integer("Coarsen every steps");
     zones_initially = random_field_initially = false;
     for (const auto &name :
          Utilities::split_string_list(prm.get("Refine initially")))

@@ -43,6 +43,13 @@ namespace Riedel::Adaptation
       return is_on() && n_steps > 0 && n_steps % parameters.every_steps == 0;
     }
 
+    /// May the grid become coarser after this many steps?
+    bool
+    may_coarsen(const unsigned int n_steps) const
+    {
+      return n_steps % parameters.coarsen_every < parameters.every_steps;
+    }
+
     /// Most changes in a row: each refines by one level.
     unsigned int
     n_rounds() const
@@ -57,10 +64,11 @@ namespace Riedel::Adaptation
       dealii::parallel::distributed::Triangulation<dim> &triangulation) const;
 
     /// Flags cells by the criteria; @p increment of the last step: relevant
-    /// dofs by local number. Returns whether the grid is to be changed.
-    /// Collective.
+    /// dofs by local number. Returns whether the grid is to be changed. It may
+    /// become coarser only now and then. Collective.
     bool
-    mark(dealii::parallel::distributed::Triangulation<dim> &triangulation,
+    mark(const bool                                         may_coarsen,
+         dealii::parallel::distributed::Triangulation<dim> &triangulation,
          const Grid::Space<dim>                            &space,
          const Points::MaterialPoints<dim>                 &points,
          const Points::Supports<dim>                       &supports,

@@ -47,6 +47,8 @@ namespace Riedel::Adaptation
     unsigned int buffer_layers = 1;
     /// cells that reach this share of no threshold are made coarse; 0: never
     double coarsen_below = 0.0;
+    /// steps between two looks for cells to be made coarse
+    unsigned int coarsen_every = 20;
     /// refined before the first step, and kept so
     bool zones_initially = false, random_field_initially = false;
 
