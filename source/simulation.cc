@@ -183,14 +183,14 @@ namespace Riedel
     if (!adaptivity.is_on() || last_look == n_steps)
       return; // a failed step is tried again on the same grid
     last_look             = n_steps;
-    grid_record.imbalance = grid_record.force_jump =
-      grid_record.stress_change                    = 0.0;
+    grid_record.imbalance = grid_record.force_jump = grid_record.stress_change =
+      0.0;
     if (!adaptivity.is_due(n_steps))
       return;
     const Timer::Scope scope(timer, "adaptation of the grid");
 
-    const double force_before  = watch.force(balance->reactions());
-    const auto   stress_before = Adaptation::summed_stress(points, communicator);
+    const double force_before = watch.force(balance->reactions());
+    const auto stress_before  = Adaptation::summed_stress(points, communicator);
     std::vector<double> relevant_increment;
     unsigned int        round = 0;
     for (; round < adaptivity.n_rounds(); ++round)
@@ -223,8 +223,8 @@ namespace Riedel
     forces_before       = balance->external_forces();
 
     ++grid_record.n_changes;
-    grid_record.imbalance     = residual.relative();
-    grid_record.force_jump    = watch.force(balance->reactions()) - force_before;
+    grid_record.imbalance  = residual.relative();
+    grid_record.force_jump = watch.force(balance->reactions()) - force_before;
     grid_record.stress_change = Adaptation::relative_change(
       stress_before, Adaptation::summed_stress(points, communicator));
     log.line("  new grid: " + std::to_string(grid_record.cells) + " cells, " +

@@ -52,7 +52,7 @@ namespace Riedel::Adaptation
             values[i] = increment[supports.dofs[patch.first_dof + i]];
           for (unsigned int q = 0; q < patch.n_points; ++q)
             {
-              const unsigned int p                          = patch.first_point + q;
+              const unsigned int p = patch.first_point + q;
               double             strains[Order::n_micropolar] = {};
               Points::StrainOperator<dim>(supports, patch, q)
                 .increments(values.data(), strains);
@@ -95,7 +95,7 @@ namespace Riedel::Adaptation
       dealii::ComponentMask rotations(space.n_components(), true);
       for (unsigned int d = 0; d < dim; ++d)
         rotations.set(d, false);
-      const auto           &triangulation = space.dof_handler().get_triangulation();
+      const auto &triangulation = space.dof_handler().get_triangulation();
       dealii::Vector<float> result(triangulation.n_active_cells());
       dealii::KellyErrorEstimator<dim>::estimate(
         dealii::MappingQ1<dim>(),
@@ -124,8 +124,9 @@ namespace Riedel::Adaptation
       {
         trace += H[Order::gradient(i, i)];
         for (unsigned int j = 0; j < dim; ++j)
-          square += std::pow(
-            0.5 * (H[Order::gradient(i, j)] + H[Order::gradient(j, i)]), 2);
+          square += std::pow(0.5 * (H[Order::gradient(i, j)] +
+                                    H[Order::gradient(j, i)]),
+                             2);
       }
     return std::sqrt(2.0 * std::max(square - trace * trace / 3.0, 0.0));
   }
@@ -141,8 +142,8 @@ namespace Riedel::Adaptation
            const Points::Supports<dim>       &supports,
            const std::vector<double>         &increment)
   {
-    const auto &triangulation = space.dof_handler().get_triangulation();
-    const auto &thresholds    = parameters.thresholds;
+    const auto         &triangulation = space.dof_handler().get_triangulation();
+    const auto         &thresholds    = parameters.thresholds;
     std::vector<double> result(triangulation.n_active_cells(), 0.0);
 
     const auto   rate    = rates(space, points, supports, increment);

@@ -12,7 +12,8 @@ namespace Riedel::Adaptation
     const dealii::parallel::distributed::Triangulation<dim> &triangulation)
   {
     using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
-    const auto &tree = triangulation.get_coarse_cell_to_p4est_tree_permutation();
+    const auto &tree =
+      triangulation.get_coarse_cell_to_p4est_tree_permutation();
 
     // tree, then the numbers of the children on the way down
     using Key = std::vector<std::size_t>;

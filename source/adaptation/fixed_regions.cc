@@ -35,9 +35,9 @@ namespace Riedel::Adaptation
         bool inside = true;
         for (unsigned int d = 0; d < dim; ++d)
           inside =
-            inside && std::max(box.lower_bound(d), cell_box.lower_bound(d)) +
-                          tolerance <
-                        std::min(box.upper_bound(d), cell_box.upper_bound(d));
+            inside &&
+            std::max(box.lower_bound(d), cell_box.lower_bound(d)) + tolerance <
+              std::min(box.upper_bound(d), cell_box.upper_bound(d));
         if (inside)
           return true;
       }

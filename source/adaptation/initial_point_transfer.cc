@@ -141,7 +141,7 @@ namespace Riedel::Adaptation
               rows.insert(rows.end(),
                           old.begin() + from,
                           old.begin() + from + n_slots);
-              const double V_0 = values.JxW(q);
+              const double V_0   = values.JxW(q);
               const double share = V_0 / rows[to + place.initial_volume];
               rows[to + place.initial_volume] = V_0;
               rows[to + place.volume] *= share;
@@ -178,7 +178,7 @@ namespace Riedel::Adaptation
 
     const auto    cells  = cells_along_curve(*triangulation);
     std::uint64_t n_here = cells.size() * quadrature.size(), id = 0;
-    const int     code   = MPI_Exscan(&n_here,
+    const int     code = MPI_Exscan(&n_here,
                                 &id,
                                 1,
                                 MPI_UINT64_T,

@@ -40,9 +40,10 @@ namespace Riedel::Adaptation
     /// which each rank knows for its own ones.
     template <int dim>
     std::vector<bool>
-    widen(const dealii::parallel::distributed::Triangulation<dim> &triangulation,
-          std::vector<bool>                                        cells,
-          const unsigned int                                       layers)
+    widen(
+      const dealii::parallel::distributed::Triangulation<dim> &triangulation,
+      std::vector<bool>                                        cells,
+      const unsigned int                                       layers)
     {
       using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
       for (unsigned int layer = 0; layer < layers; ++layer)
@@ -112,13 +113,14 @@ namespace Riedel::Adaptation
              cell_size<dim>(cell) > (1.0 + 1e-6) * limits.cell_size;
     };
 
-    const std::vector<bool> active = reaching(1.0);
+    const std::vector<bool> active   = reaching(1.0);
     unsigned int            n_wanted = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && active[cell->active_cell_index()] &&
           too_large(cell))
         ++n_wanted;
-    const bool refines = dealii::Utilities::MPI::max(n_wanted, communicator) > 0;
+    const bool refines =
+      dealii::Utilities::MPI::max(n_wanted, communicator) > 0;
     if (!refines && limits.coarsen_below == 0.0)
       return false;
 

@@ -38,11 +38,11 @@ namespace Riedel::Adaptation
     prm.declare_entry(
       "Criteria",
       "",
-      Patterns::List(
-        Patterns::Selection("rotation rate|shear rate|void ratio change|"
-                            "gradient jump|region|points per cell"),
-        0,
-        criterion_names.size()),
+      Patterns::List(Patterns::Selection(
+                       "rotation rate|shear rate|void ratio change|"
+                       "gradient jump|region|points per cell"),
+                     0,
+                     criterion_names.size()),
       "A cell where one of these holds is refined. Empty: the grid stays as it "
       "is.");
     prm.declare_entry("Levels",
@@ -75,15 +75,13 @@ namespace Riedel::Adaptation
                       Patterns::Integer(1),
                       "Steps between two looks for cells that can become "
                       "coarse: it is never urgent, and each change costs.");
-    prm.declare_entry("Refine initially",
-                      "zones, random field",
-                      Patterns::List(Patterns::Selection(zones + "|" +
-                                                         random_field),
-                                     0,
-                                     2),
-                      "What is refined before the first step, and stays so: "
-                      "the zones of another void ratio; the whole body if it "
-                      "has a random field.");
+    prm.declare_entry(
+      "Refine initially",
+      "zones, random field",
+      Patterns::List(Patterns::Selection(zones + "|" + random_field), 0, 2),
+      "What is refined before the first step, and stays so: "
+      "the zones of another void ratio; the whole body if it "
+      "has a random field.");
 
     prm.enter_subsection("Thresholds");
     prm.declare_entry("Rotation rate",
@@ -141,12 +139,12 @@ namespace Riedel::Adaptation
     criteria.clear();
     for (const auto &name : Utilities::split_string_list(prm.get("Criteria")))
       criteria.insert(criterion_names.at(name));
-    levels        = prm.get_integer("Levels");
-    cell_size     = prm.get_double("Cell size");
-    every_steps   = prm.get_integer("Every steps");
-    buffer_layers = prm.get_integer("Buffer layers");
-    coarsen_below = prm.get_double("Coarsen below");
-    coarsen_every = prm.get_integer("Coarsen every steps");
+    levels          = prm.get_integer("Levels");
+    cell_size       = prm.get_double("Cell size");
+    every_steps     = prm.get_integer("Every steps");
+    buffer_layers   = prm.get_integer("Buffer layers");
+    coarsen_below   = prm.get_double("Coarsen below");
+    coarsen_every   = prm.get_integer("Coarsen every steps");
     zones_initially = random_field_initially = false;
     for (const auto &name :
          Utilities::split_string_list(prm.get("Refine initially")))
@@ -220,14 +218,13 @@ namespace Riedel::Adaptation
                      "far as Levels allows.");
 
     const std::vector<std::pair<Criterion, std::pair<std::string, double>>>
-      values = {
-        {Criterion::rotation_rate,
-         {"Rotation rate", thresholds.rotation_rate}},
-        {Criterion::shear_rate, {"Shear rate", thresholds.shear_rate}},
-        {Criterion::void_ratio_change,
-         {"Void ratio change", thresholds.void_ratio_change}},
-        {Criterion::gradient_jump,
-         {"Gradient jump", thresholds.gradient_jump}}};
+      values = {{Criterion::rotation_rate,
+                 {"Rotation rate", thresholds.rotation_rate}},
+                {Criterion::shear_rate, {"Shear rate", thresholds.shear_rate}},
+                {Criterion::void_ratio_change,
+                 {"Void ratio change", thresholds.void_ratio_change}},
+                {Criterion::gradient_jump,
+                 {"Gradient jump", thresholds.gradient_jump}}};
     for (const auto &[criterion, threshold] : values)
       if (has(criterion) && !(threshold.second > 0.0))
         problems.error(section + "Thresholds/" + threshold.first,

@@ -202,18 +202,18 @@ namespace Riedel::Scene
     loading.check(micropolar, problems);
     solver.check(problems);
     output.check(problems);
-    adaptation.check(
-      micropolar,
-      std::any_of(materials.materials.begin(),
-                  materials.materials.end(),
-                  [](const auto &material) {
-                    return material.law->layout().find("void_ratio") !=
-                           Material::StateLayout::absent;
-                  }),
-      Adaptation::smallest_length(materials),
-      /*points_move=*/grid.configuration !=
-        Grid::ReferenceConfiguration::initial,
-      problems);
+    adaptation.check(micropolar,
+                     std::any_of(materials.materials.begin(),
+                                 materials.materials.end(),
+                                 [](const auto &material) {
+                                   return material.law->layout().find(
+                                            "void_ratio") !=
+                                          Material::StateLayout::absent;
+                                 }),
+                     Adaptation::smallest_length(materials),
+                     /*points_move=*/grid.configuration !=
+                       Grid::ReferenceConfiguration::initial,
+                     problems);
 
     const auto boundaries = geometry.names();
     if (!output.watch.empty() &&

@@ -211,11 +211,10 @@ namespace Riedel::Scene
     {
       // these may have no parameters
       std::vector<std::string> named_sections;
-      for (const std::string &parent :
-           {materials_section,
-            zones_section,
-            regions_section,
-            boundaries_section})
+      for (const std::string &parent : {materials_section,
+                                        zones_section,
+                                        regions_section,
+                                        boundaries_section})
         {
           named_sections.push_back(parent);
           for (const std::string &name : input.names_in(parent))

@@ -28,8 +28,10 @@ namespace
   {
     Grid::GeometryParameters geometry;
     geometry.box            = {0.08, 0.04};
-    geometry.boundary_names = {
-      {0, "left"}, {1, "right"}, {2, "bottom"}, {3, "top"}};
+    geometry.boundary_names = {{0, "left"},
+                               {1, "right"},
+                               {2, "bottom"},
+                               {3, "top"}};
     return geometry;
   }
 
@@ -174,15 +176,15 @@ TEST_CASE("Regions meet the cells they overlap, not their neighbours",
   Adaptation::Parameters<2> parameters;
   parameters.criteria = {Adaptation::Criterion::region};
   parameters.regions  = {
-    {"two cells",
-      dealii::BoundingBox<2>({dealii::Point<2>(0.01, 0.01),
-                              dealii::Point<2>(0.02, 0.015)})}};
+     {"two cells",
+      dealii::BoundingBox<2>(
+       {dealii::Point<2>(0.01, 0.01), dealii::Point<2>(0.02, 0.015)})}};
   parameters.zones_initially = true;
   Points::InitialStateParameters<2> initial;
-  initial.zones = {{"one cell",
-                    dealii::BoundingBox<2>({dealii::Point<2>(0.0, 0.0),
-                                            dealii::Point<2>(0.001, 0.001)}),
-                    0.9}};
+  initial.zones    = {{"one cell",
+                       dealii::BoundingBox<2>({dealii::Point<2>(0.0, 0.0),
+                                               dealii::Point<2>(0.001, 0.001)}),
+                       0.9}};
   const auto count = [&](const Adaptation::FixedRegions<2> &regions) {
     unsigned int n = 0;
     for (const auto &cell : body.triangulation().active_cell_iterators())
@@ -218,14 +220,14 @@ namespace
   /// A body of sand with points whose states vary from place to place.
   struct Sand
   {
-    Grid::Parameters          grid = grid_parameters(16, 8);
-    Grid::Body<2>             body;
-    Material::Parameters<2>   materials;
-    Grid::Space<2>            space;
-    Points::MaterialPoints<2> points;
+    Grid::Parameters           grid = grid_parameters(16, 8);
+    Grid::Body<2>              body;
+    Material::Parameters<2>    materials;
+    Grid::Space<2>             space;
+    Points::MaterialPoints<2>  points;
     Points::InitialSupports<2> supports;
-    LinearAlgebra::Vector     solution;
-    std::vector<double>       relevant;
+    LinearAlgebra::Vector      solution;
+    std::vector<double>        relevant;
 
     static Material::Parameters<2>
     one_material()
@@ -276,8 +278,10 @@ namespace
       Adaptation::InitialPointTransfer<2> transfer(body.triangulation(),
                                                    points,
                                                    supports.quadrature());
-      Adaptation::change_grid(
-        body.triangulation(), space, transfer, {&solution});
+      Adaptation::change_grid(body.triangulation(),
+                              space,
+                              transfer,
+                              {&solution});
       update();
     }
 
@@ -396,8 +400,8 @@ TEST_CASE("New points have the state of the nearest old one", "[adaptation]")
   sand.change();
   for (unsigned int p = 0; p < sand.points.n_points(); ++p)
     {
-      const auto  &x       = sand.points.initial_position(p);
-      double       closest = 1.0, value = 0.0;
+      const auto &x       = sand.points.initial_position(p);
+      double      closest = 1.0, value = 0.0;
       // of the same old cell
       for (const auto &[y, its_value] : before)
         if (std::floor(x[0] / 0.005) == std::floor(y[0] / 0.005) &&

@@ -24,11 +24,11 @@ namespace Riedel::Adaptation
   class Adaptivity
   {
   public:
-    Adaptivity(const Parameters<dim>                     &parameters,
-               const Material::Parameters<dim>           &materials,
-               const Points::InitialStateParameters<dim> &initial,
-               const dealii::parallel::distributed::Triangulation<dim>
-                 &triangulation);
+    Adaptivity(
+      const Parameters<dim>                                   &parameters,
+      const Material::Parameters<dim>                         &materials,
+      const Points::InitialStateParameters<dim>               &initial,
+      const dealii::parallel::distributed::Triangulation<dim> &triangulation);
 
     bool
     is_on() const

@@ -33,7 +33,7 @@ namespace Riedel::Adaptation
 
     unsigned int
     weight(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-           const typename dealii::Triangulation<dim>::CellStatus status)
+           const typename dealii::Triangulation<dim>::CellStatus     status)
       const override;
 
     void

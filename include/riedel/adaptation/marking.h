@@ -34,6 +34,5 @@ namespace Riedel::Adaptation
   /// Edge of a cell [m]: of a square with the same area.
   template <int dim>
   double
-  cell_size(
-    const typename dealii::Triangulation<dim>::cell_iterator &cell);
+  cell_size(const typename dealii::Triangulation<dim>::cell_iterator &cell);
 } // namespace Riedel::Adaptation

@@ -22,9 +22,9 @@ namespace Riedel::Adaptation
     /// How much work a cell will be: points it will have. As the argument of
     /// deal.II's weight signal: @p status is that of the change.
     virtual unsigned int
-    weight(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-           const typename dealii::Triangulation<dim>::CellStatus status)
-      const = 0;
+    weight(
+      const typename dealii::Triangulation<dim>::cell_iterator &cell,
+      const typename dealii::Triangulation<dim>::CellStatus status) const = 0;
 
     /// On the new grid.
     virtual void

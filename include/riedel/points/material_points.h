@@ -54,11 +54,12 @@ namespace Riedel::Points
     /// Puts a point into a cell: its place in the cell and in the undeformed
     /// body [m], an id that no other point has, the slots of layout().
     void
-    insert(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
-           const dealii::Point<dim>                  &place_in_cell,
-           const dealii::Point<dim>                  &position,
-           const dealii::types::particle_index        id,
-           const double                              *slots_of_point);
+    insert(
+      const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+      const dealii::Point<dim>           &place_in_cell,
+      const dealii::Point<dim>           &position,
+      const dealii::types::particle_index id,
+      const double                       *slots_of_point);
 
     /// After the last insert(); collective.
     void
