@@ -306,7 +306,11 @@ namespace Riedel
     stress_work += balance->stress_work();
 
     extrapolation.accept(steps.tried(), increment);
-    steps.succeeded(outcome.iterations);
+    // what a new grid has put out of balance says nothing about the step's size
+    const bool on_new_grid = grid_record.imbalance > 0.0;
+    steps.succeeded(on_new_grid ? std::min(outcome.iterations,
+                                           scene.solver.target_iterations) :
+                                  outcome.iterations);
     load += steps.tried();
     ++n_steps;
     n_floored_points += outcome.residual.sweep.total.floored;

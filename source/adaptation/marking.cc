@@ -15,6 +15,10 @@ namespace Riedel::Adaptation
     /// makes it coarse.
     constexpr double worth_coarsening = 0.05;
 
+    /// If the grid changes anyway, cells that reach this share of a threshold
+    /// are refined, too: they would be the next ones.
+    constexpr double foresight = 0.8;
+
 
 
     /// Calls a function with the vertices of a cell and the hanging ones on its
@@ -94,17 +98,12 @@ namespace Riedel::Adaptation
   {
     const MPI_Comm communicator = Compat::communicator(triangulation);
 
-    // A threshold is that of the last division; a cell that has n more of them
-    // before it is divided at 1/2^n of it.
     const auto reaching = [&](const double least) {
       std::vector<bool> result(triangulation.n_active_cells(), false);
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           result[cell->active_cell_index()] =
-            std::ldexp(activity[cell->active_cell_index()],
-                       std::max(static_cast<int>(limits.finest_level) - 1 -
-                                  cell->level(),
-                                0)) >= least;
+            activity[cell->active_cell_index()] >= least;
       return result;
     };
     // rounding must not divide a cell that has the wanted size
@@ -125,7 +124,7 @@ namespace Riedel::Adaptation
       return false;
 
     const std::vector<bool> wide =
-      widen(triangulation, active, limits.buffer_layers);
+      widen(triangulation, reaching(foresight), limits.buffer_layers);
     const std::vector<bool> alive =
       limits.coarsen_below == 0.0 ?
         std::vector<bool>(wide.size(), true) :

@@ -110,16 +110,23 @@ TEST_CASE("Cells of the wanted size are not refined", "[adaptation]")
 
 
 
-TEST_CASE("Only the last division needs the criterion in full", "[adaptation]")
+TEST_CASE("Nearly active cells are refined with active ones only",
+          "[adaptation]")
 {
   Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
   Adaptation::Limits limits;
-  limits.finest_level = GENERATE(1u, 2u, 3u);
-  auto      &tria     = body.triangulation();
-  const auto weak     = activity_of(tria, [](const auto &x) {
-    return is_near(x, active_cell) ? 0.3 : 0.0;
-  });
-  CHECK(Adaptation::mark(tria, weak, limits) == (limits.finest_level == 3));
+  limits.finest_level  = 1;
+  limits.buffer_layers = 0;
+  auto      &tria      = body.triangulation();
+  const auto row       = [&](const double most) {
+    return activity_of(tria, [most](const auto &x) {
+      return is_near(x, active_cell) ? most : (x[1] < 0.005 ? 0.9 : 0.0);
+    });
+  };
+  CHECK_FALSE(Adaptation::mark(tria, row(0.9), limits));
+  REQUIRE(Adaptation::mark(tria, row(1.1), limits));
+  tria.execute_coarsening_and_refinement();
+  CHECK(tria.n_active_cells() == 128 + 3 * 17);
 }
 
 

@@ -19,11 +19,11 @@ namespace Riedel::Adaptation
 
   /**
    * Sets the triangulation's flags from how active its cells are (by active
-   * cell index; 1 and more: refine). Cells and their buffer are refined by one
-   * level if an active cell is too large: a buffer that became too large alone
-   * can wait. Cells are made coarse with a refinement, or when they are many.
-   * Returns whether the grid is to be changed; if not, no flag is set.
-   * Collective.
+   * cell index; 1 and more: refine). If an active cell is too large, all that
+   * are nearly as active and their buffer are refined by one level; a buffer
+   * alone gives no reason for a change. Cells are made coarse with a
+   * refinement, or when they are many. Returns whether the grid is to be
+   * changed; if not, no flag is set. Collective.
    */
   template <int dim>
   bool
