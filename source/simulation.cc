@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/adaptation/grid_change.h>
+#include <riedel/adaptation/initial_point_transfer.h>
+#include <riedel/adaptation/moving_point_transfer.h>
 #include <riedel/analysis/deformed_field.h>
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
@@ -65,6 +68,10 @@ namespace Riedel
     , wall_start(std::chrono::steady_clock::now())
     , body(communicator, scene.geometry, scene.grid)
     , space(body.triangulation(), scene.grid, scene.materials.is_micropolar())
+    , adaptivity(scene.adaptation,
+                 scene.materials,
+                 scene.initial_state,
+                 body.triangulation())
     , points(body.triangulation(),
              scene.materials,
              scene.grid.configuration == Grid::ReferenceConfiguration::current ?
@@ -121,6 +128,7 @@ namespace Riedel
             if (save_checkpoint())
               load_checkpoint(checkpoints.last());
           }
+        adapt_grid();
         if (!solve_step())
           continue; // with a smaller step
         accept_step();
@@ -149,6 +157,8 @@ namespace Riedel
   {
     if (points.are_moving())
       space.set_frame(Grid::Frame<dim>(body.grid_extent()));
+    if (adaptivity.refine_initially(body.triangulation()))
+      space.distribute();
     points.seed(supports->quadrature(), scene.initial_state, body.extent());
     solution = space.owned_vector();
     prepare();
@@ -190,10 +200,33 @@ namespace Riedel
   Simulation<dim>::prepare()
   {
     auto set_up = std::make_unique<Timer::Scope>(timer, "set-up");
+    rebuild_supports();
+    rebuild_equations();
+    increment = space.owned_vector();
+    set_up.reset();
+
+    LinearAlgebra::Vector r = space.owned_vector();
+    balance->begin_step(relevant_solution, load, load);
+    outcome.residual = balance->residual(increment, r);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::rebuild_supports()
+  {
     space.gather(solution, relevant_solution);
     supports->rebuild(relevant_solution, points);
-    averages =
-      Analysis::BoundaryAverages<dim>(scene.geometry.names(), body, space);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::rebuild_equations()
+  {
+    const auto before = std::move(balance);
     balance =
       std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
                                                   scene.loading,
@@ -203,13 +236,80 @@ namespace Riedel
                                                   points,
                                                   supports->supports(),
                                                   timer);
-    scheme    = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
-    increment = space.owned_vector();
-    set_up.reset();
+    if (before)
+      balance->continue_counts(*before);
+    scheme = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
+    averages =
+      Analysis::BoundaryAverages<dim>(scene.geometry.names(), body, space);
+    grid_record.cells    = body.triangulation().n_global_active_cells();
+    grid_record.unknowns = space.dof_handler().n_dofs();
+  }
 
-    LinearAlgebra::Vector r = space.owned_vector();
+
+
+  template <int dim>
+  void
+  Simulation<dim>::adapt_grid()
+  {
+    if (!adaptivity.is_on() || last_look == n_steps)
+      return; // a failed step is tried again on the same grid
+    last_look             = n_steps;
+    grid_record.imbalance = grid_record.force_jump = grid_record.stress_change =
+      0.0;
+    if (!adaptivity.is_due(n_steps))
+      return;
+    const Timer::Scope scope(timer, "adaptation of the grid");
+
+    const double force_before = watch.force(balance->reactions());
+    const auto stress_before  = Adaptation::summed_stress(points, communicator);
+    std::vector<double> relevant_increment;
+    unsigned int        round = 0;
+    for (; round < adaptivity.n_rounds(); ++round)
+      {
+        space.gather(increment, relevant_increment);
+        if (!adaptivity.mark(round == 0 && adaptivity.may_coarsen(n_steps),
+                             body.triangulation(),
+                             space,
+                             points,
+                             supports->supports(),
+                             relevant_increment))
+          break;
+        auto vectors = extrapolation.vectors();
+        vectors.insert(vectors.end(), {&solution, &increment});
+        std::unique_ptr<Adaptation::PointTransfer<dim>> transfer;
+        if (points.are_moving())
+          transfer =
+            std::make_unique<Adaptation::MovingPointTransfer<dim>>(points);
+        else
+          transfer = std::make_unique<Adaptation::InitialPointTransfer<dim>>(
+            body.triangulation(), points, supports->quadrature());
+        Adaptation::change_grid(body.triangulation(),
+                                space,
+                                *transfer,
+                                vectors);
+        rebuild_supports();
+      }
+    if (round == 0)
+      return;
+    rebuild_equations();
+
+    // The state in balance on the old grid, seen by the new one. The next step
+    // releases what is out of balance: holding the load for it does harm.
+    LinearAlgebra::Vector r = space.owned_vector(), zero = space.owned_vector();
     balance->begin_step(relevant_solution, load, load);
-    outcome.residual = balance->residual(increment, r);
+    const auto residual = balance->residual(zero, r);
+    forces_before       = balance->external_forces();
+
+    ++grid_record.n_changes;
+    grid_record.imbalance  = residual.relative();
+    grid_record.force_jump = watch.force(balance->reactions()) - force_before;
+    grid_record.stress_change = Adaptation::relative_change(
+      stress_before, Adaptation::summed_stress(points, communicator));
+    log.line("  new grid: " + std::to_string(grid_record.cells) + " cells, " +
+             std::to_string(grid_record.unknowns) +
+             " unknowns; out of balance " +
+             Output::number(grid_record.imbalance) + ", jump of P1 " +
+             Output::number(1e-3 * grid_record.force_jump) + " kN/m.");
   }
 
 
@@ -293,7 +393,11 @@ namespace Riedel
     if (points.are_moving())
       balance->continue_to_unseen(increment);
     extrapolation.accept(steps.tried(), increment);
-    steps.succeeded(outcome.iterations);
+    // what a new grid has put out of balance says nothing about the step's size
+    const bool on_new_grid = grid_record.imbalance > 0.0;
+    steps.succeeded(on_new_grid ? std::min(outcome.iterations,
+                                           scene.solver.target_iterations) :
+                                  outcome.iterations);
     load += steps.tried();
     ++n_steps;
     n_floored_points += outcome.residual.sweep.total.floored;
@@ -477,6 +581,8 @@ namespace Riedel
     record.factorisations = total.factorisations;
     record.n_bands        = bands.bands.size();
     record.cpu_seconds    = total.cpu;
+    if (adaptivity.is_on())
+      record.grid = grid_record;
     Output::sum_up_points(points, communicator, record);
     return record;
   }

@@ -23,6 +23,8 @@ namespace Riedel
     archive         &frame;
     space.set_frame(frame);
 
+    archive &grid_record &last_look;
+
     archive &external_work &stress_work &boundary_displacements;
 
     archive &n_floored_points &n_clamped_points;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/adaptation/adaptivity.h>
+#include <riedel/adaptation/record.h>
 #include <riedel/analysis/boundary_averages.h>
 #include <riedel/analysis/shear_bands.h>
 #include <riedel/checkpoint/checkpoints.h>
@@ -63,6 +65,15 @@ namespace Riedel
     first_guess(const double step);
     void
     accept_step();
+    /// Refines and coarsens the grid where the criteria ask for it.
+    void
+    adapt_grid();
+    /// Supports of the points and everything that knows the dofs, on a new
+    /// grid.
+    void
+    rebuild_supports();
+    void
+    rebuild_equations();
     void
     add_boundary_displacements(const std::vector<double> &du);
     void
@@ -129,6 +140,7 @@ namespace Riedel
 
     Grid::Body<dim>                              body;
     Grid::Space<dim>                             space;
+    Adaptation::Adaptivity<dim>                  adaptivity;
     Points::MaterialPoints<dim>                  points;
     std::unique_ptr<Points::SupportBuilder<dim>> supports;
     std::unique_ptr<Equilibrium::Balance<dim>>   balance;
@@ -160,6 +172,8 @@ namespace Riedel
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;
     Analysis::ShearBands  bands{};
+    Adaptation::Record    grid_record;
+    unsigned int          last_look   = 0; ///< step of the last criteria
     double                last_fields = 0.0, last_bands = 0.0;
     std::size_t           n_floored_points = 0, n_clamped_points = 0;
 

@@ -27,10 +27,10 @@ namespace Riedel::Output
       }
     here[2] = points.n_points();
     dealii::Utilities::MPI::sum(here, communicator, all);
-    record.volume   = all[0];
-    record.mass     = all[1];
-    record.solids   = all[3];
-    record.n_points = static_cast<std::uint64_t>(all[2]);
+    record.volume     = all[0];
+    record.mass       = all[1];
+    record.solids     = all[3];
+    record.n_points   = static_cast<std::uint64_t>(all[2]);
     record.are_moving = points.are_moving();
     record.n_split    = points.n_split();
     record.n_removed  = points.n_removed();
@@ -121,6 +121,19 @@ namespace Riedel::Output
                          static_cast<double>(record.n_removed));
         row.emplace_back("points held by walls [1]",
                          static_cast<double>(record.n_held));
+      }
+
+    if (record.grid)
+      {
+        const Row grid = {
+          {"cells [1]", static_cast<double>(record.grid->cells)},
+          {"unknowns [1]", static_cast<double>(record.grid->unknowns)},
+          {"grid changes [1]", record.grid->n_changes},
+          {"imbalance after change [1]", record.grid->imbalance},
+          {"force jump at change [N" + per_metre + "]",
+           record.grid->force_jump},
+          {"stress change at change [1]", record.grid->stress_change}};
+        row.insert(row.end(), grid.begin(), grid.end());
       }
     return row;
   }

@@ -41,6 +41,9 @@ namespace Riedel::Points
   CurrentSupports<dim>::rebuild(const std::vector<double> & /*solution*/,
                                 MaterialPoints<dim> &points)
   {
+    while (follow_deformation && split_large_boxes(points))
+      points.relocate();
+
     const Grid::CellLattice<dim> lattice(space->dof_handler());
     const BoxWeights<dim>        weights(lattice, space->hanging_nodes());
 
@@ -253,8 +256,6 @@ namespace Riedel::Points
     if (!follow_deformation)
       return;
     points.relocate();
-    while (split_large_boxes(points))
-      points.relocate();
     rebuild(solution, points);
   }
 

@@ -161,13 +161,65 @@ namespace Riedel::Points
                     row[place.deformation_gradient + d * dim + d] = 1.0;
                   }
 
-              handler.insert_particle(x,
-                                      quadrature.point(q),
-                                      id++,
-                                      cell,
-                                      dealii::ArrayView<const double>(row));
+              insert(cell, quadrature.point(q), x, id++, row.data());
             }
         }
+    finish_insertion();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::prepare_for_new_grid()
+  {
+    handler.prepare_for_coarsening_and_refinement();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::arrive_on_new_grid()
+  {
+    handler.unpack_after_coarsening_and_refinement();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::clear()
+  {
+    handler.clear();
+    set_order({});
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::insert(
+    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    const dealii::Point<dim>           &place_in_cell,
+    const dealii::Point<dim>           &position,
+    const dealii::types::particle_index id,
+    const double                       *slots_of_point)
+  {
+    handler.insert_particle(position,
+                            place_in_cell,
+                            id,
+                            cell,
+                            dealii::ArrayView<const double>(slots_of_point,
+                                                            slots.size()));
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::finish_insertion()
+  {
     handler.update_cached_numbers();
   }
 
@@ -224,6 +276,7 @@ namespace Riedel::Points
     rows.clear();
     ids.clear();
     positions.clear();
+    cells.clear();
     law_ranges.clear();
     state_offset.clear();
     std::size_t offset = 0;
@@ -234,6 +287,7 @@ namespace Riedel::Points
         rows.push_back(particle->get_properties().data());
         ids.push_back(particle->get_id());
         positions.push_back(frame.to_space(particle->get_location()));
+        cells.push_back(particle->get_surrounding_cell()->active_cell_index());
         if (law_ranges.empty() || law_ranges.back().material != m)
           law_ranges.push_back({m, p, p});
         law_ranges.back().last = p + 1;

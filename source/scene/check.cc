@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/adaptation/grain_size.h>
 #include <riedel/nearest_name.h>
 #include <riedel/scene/scene.h>
 
@@ -53,6 +54,10 @@ namespace Riedel::Scene
         if (!overlap(zone.box, body))
           problems.error("Initial state/Zones/" + zone.name + "/Box",
                          "The zone lies outside the body.");
+      for (const auto &region : scene.adaptation.regions)
+        if (!overlap(region.box, body))
+          problems.error("Adaptation/Regions/" + region.name + "/Box",
+                         "The region lies outside the body.");
       for (const auto &material : scene.materials.materials)
         if (!material.everywhere && !overlap(material.box, body))
           problems.error("Materials/" + material.name + "/Box",
@@ -197,6 +202,18 @@ namespace Riedel::Scene
     loading.check(micropolar, problems);
     solver.check(problems);
     output.check(problems);
+    adaptation.check(micropolar,
+                     std::any_of(materials.materials.begin(),
+                                 materials.materials.end(),
+                                 [](const auto &material) {
+                                   return material.law->layout().find(
+                                            "void_ratio") !=
+                                          Material::StateLayout::absent;
+                                 }),
+                     Adaptation::smallest_length(materials),
+                     /*points_move=*/grid.configuration !=
+                       Grid::ReferenceConfiguration::initial,
+                     problems);
 
     const auto boundaries = geometry.names();
     if (!output.watch.empty() &&

@@ -173,6 +173,7 @@ namespace Riedel::Scene
           return item;
         item =
           std::regex_replace(item, std::regex("^an? (.*?)number"), "$1numbers");
+        item = std::regex_replace(item, std::regex("^one of "), "of ");
         return (most.size() > 3 ? "any number" :
                 least == most   ? least :
                                   (least == "0" ? "up to" : least + " to") +
@@ -217,6 +218,15 @@ namespace Riedel::Scene
        "The load parameter s runs from 0 to `Stop` in steps that adapt "
        "themselves."},
       {"Solver", "How a step is solved."},
+      {"Adaptation",
+       "The grid is refined while the body is loaded (adaptation.md)."},
+      {"Adaptation/Thresholds",
+       "Where a criterion begins to hold. The rates are those of the last "
+       "step; a cell has the largest value of its points."},
+      {"Adaptation/Regions",
+       "For the criterion \"region\": one subsection per part of the body that "
+       "is refined before the first step and stays so, with a name of your "
+       "choice."},
       {"Output", "What is written into the results folder."},
       {"Element test",
        "The path of one material point, for `Simulation type = element "

@@ -17,6 +17,7 @@ namespace Riedel::Scene
     /// The sections whose subsections have names that users choose.
     const std::string materials_section  = "Materials";
     const std::string zones_section      = "Initial state/Zones";
+    const std::string regions_section    = "Adaptation/Regions";
     const std::string boundaries_section = "Boundary conditions";
 
     /// @p path is @p section or something in it.
@@ -125,6 +126,7 @@ namespace Riedel::Scene
                                      input.value(materials_section + "/" +
                                                  name + "/Law"));
       names.zones      = input.names_in(zones_section);
+      names.regions    = input.names_in(regions_section);
       names.boundaries = input.names_in(boundaries_section);
       return names;
     }
@@ -136,7 +138,8 @@ namespace Riedel::Scene
                            Report                &report,
                            std::set<std::string> &wrong)
     {
-      for (const std::string &parent : {materials_section, zones_section})
+      for (const std::string &parent :
+           {materials_section, zones_section, regions_section})
         {
           std::vector<std::string> given, invented;
           for (const std::string &name : input.names_in(parent))
@@ -208,8 +211,10 @@ namespace Riedel::Scene
     {
       // these may have no parameters
       std::vector<std::string> named_sections;
-      for (const std::string &parent :
-           {materials_section, zones_section, boundaries_section})
+      for (const std::string &parent : {materials_section,
+                                        zones_section,
+                                        regions_section,
+                                        boundaries_section})
         {
           named_sections.push_back(parent);
           for (const std::string &name : input.names_in(parent))
@@ -292,6 +297,7 @@ namespace Riedel::Scene
                                                            names.boundaries);
     Equilibrium::LoadingParameters<dim>::declare(prm);
     Equilibrium::SolverParameters::declare(prm);
+    Adaptation::Parameters<dim>::declare(prm, names.regions);
     Output::Parameters::declare(prm);
     Checkpoint::Parameters::declare(prm);
     ElementTest::Parameters::declare(prm);
@@ -316,6 +322,7 @@ namespace Riedel::Scene
                                       Equilibrium::LoadForm::surface_integral);
     loading.parse(prm);
     solver.parse(prm);
+    adaptation.parse(prm, names.regions);
     output.parse(prm);
     checkpoint.parse(prm);
     element_test.parse(prm);
@@ -384,6 +391,7 @@ namespace Riedel::Scene
     for (const std::string &law : Material::known_laws())
       names.materials.emplace_back(law, law);
     names.zones      = {"weak spot"};
+    names.regions    = {"corner"};
     names.boundaries = {"left"};
 
     dealii::ParameterHandler prm;

@@ -101,6 +101,13 @@ namespace Riedel::Equilibrium
       return law_cost;
     }
 
+    /// Takes over what an assembly on another grid has cost.
+    void
+    continue_cost(const Cost &before)
+    {
+      law_cost = before;
+    }
+
   private:
     SweepReport
     sweep(const std::vector<double>               &du,

@@ -170,6 +170,15 @@ namespace Riedel::Equilibrium
       return assembly.cost();
     }
 
+    /// Takes over the counts of the balance on the grid before.
+    void
+    continue_counts(const Balance &before)
+    {
+      n_sweeps         = before.n_sweeps;
+      n_factorisations = before.n_factorisations;
+      assembly.continue_cost(before.assembly.cost());
+    }
+
     /// Where the residual of the last sweep is largest: a sentence for people.
     std::string
     describe_worst(const LinearAlgebra::Vector &r) const;
@@ -219,7 +228,7 @@ namespace Riedel::Equilibrium
     VirtualStress<dim>      virtual_stress;
     /// of points that move; else empty
     std::unique_ptr<SurfaceStabilisation<dim>> stabilisation;
-    Assembly<dim>           assembly;
+    Assembly<dim>                              assembly;
 
     double                        length; ///< divides moments
     LinearAlgebra::SparseMatrix   matrix;

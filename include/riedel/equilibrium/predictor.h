@@ -41,7 +41,7 @@ namespace Riedel::Equilibrium
       archive &n_steps &last_step &step_before;
     }
 
-    /// ... with these vectors; they may be empty.
+    /// ... with these vectors, which may be empty; they also go to a new grid.
     std::vector<LinearAlgebra::Vector *>
     vectors()
     {

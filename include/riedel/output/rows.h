@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/adaptation/record.h>
 #include <riedel/analysis/shear_bands.h>
 #include <riedel/equilibrium/balance.h>
 #include <riedel/equilibrium/scheme.h>
 #include <riedel/material/parameters.h>
 #include <riedel/points/material_points.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,8 +37,8 @@ namespace Riedel::Output
 
     double external_work = 0.0, stress_work = 0.0; ///< since the start [J/m]
     /// sums over all ranks
-    double               volume = 0.0, solids = 0.0, mass = 0.0;
-    std::uint64_t        n_points = 0;
+    double        volume = 0.0, solids = 0.0, mass = 0.0;
+    std::uint64_t n_points = 0;
     /// of points that move through the grid: split, removed and held back by
     /// walls since the start
     bool                 are_moving = false;
@@ -45,6 +47,7 @@ namespace Riedel::Output
     std::uint64_t        sweeps = 0, factorisations = 0; ///< since the start
     std::size_t          n_bands     = 0;
     double               cpu_seconds = 0.0; ///< of all ranks
+    std::optional<Adaptation::Record> grid; ///< if the grid may change
   };
 
   /// Volume, mass and number of points over all ranks, into @p record.

@@ -87,6 +87,15 @@ namespace Riedel::Points
     void
     load();
 
+    /// Before the cells of the grid are refined, coarsened or sent to other
+    /// ranks: points go with them.
+    void
+    prepare_for_new_grid();
+
+    /// Afterwards; their order has to be fixed again.
+    void
+    arrive_on_new_grid();
+
     /// Before another grid is loaded.
     void
     remove_all();
@@ -102,6 +111,24 @@ namespace Riedel::Points
       check_slots(names);
       archive &handler &split_count &removed_count &held_count;
     }
+
+    /// Removes all points: they cannot be touched until the next set_order().
+    void
+    clear();
+
+    /// Puts a point into a cell: its place in the cell and in the undeformed
+    /// body [m], an id that no other point has, the slots of layout().
+    void
+    insert(
+      const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+      const dealii::Point<dim>           &place_in_cell,
+      const dealii::Point<dim>           &position,
+      const dealii::types::particle_index id,
+      const double                       *slots_of_point);
+
+    /// After the last insert(); collective.
+    void
+    finish_insertion();
 
     const dealii::Particles::ParticleHandler<dim> &
     particles() const
@@ -174,6 +201,13 @@ namespace Riedel::Points
     id(const unsigned int point) const
     {
       return ids[point];
+    }
+
+    /// Active cell index of the cell that a point is in.
+    unsigned int
+    cell(const unsigned int point) const
+    {
+      return cells[point];
     }
 
     /// Position of a point before the first step [m].
@@ -326,6 +360,7 @@ namespace Riedel::Points
     std::vector<double *>                      rows;
     std::vector<dealii::types::particle_index> ids;
     std::vector<dealii::Point<dim>>            positions;
+    std::vector<unsigned int>                  cells;
     std::vector<Range>                         law_ranges;
     std::vector<std::size_t>                   state_offset;
     std::vector<double>                        committed_states;

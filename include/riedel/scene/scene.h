@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/adaptation/parameters.h>
 #include <riedel/checkpoint/parameters.h>
 #include <riedel/element_test/parameters.h>
 #include <riedel/equilibrium/parameters.h>
@@ -24,6 +25,7 @@ namespace Riedel::Scene
     /// materials and the laws they ask for
     std::vector<std::pair<std::string, std::string>> materials;
     std::vector<std::string>                         zones;
+    std::vector<std::string>                         regions;
     std::vector<std::string>                         boundaries;
   };
 
@@ -40,6 +42,7 @@ namespace Riedel::Scene
     Equilibrium::BoundaryConditionParameters<dim> boundary_conditions;
     Equilibrium::LoadingParameters<dim>           loading;
     Equilibrium::SolverParameters                 solver;
+    Adaptation::Parameters<dim>                   adaptation;
     Output::Parameters                            output;
     Checkpoint::Parameters                        checkpoint;
     ElementTest::Parameters                       element_test;
@@ -76,8 +79,8 @@ namespace Riedel::Scene
   read_scene(const std::string              &file,
              const std::vector<std::string> &overrides);
 
-  /// All parameters there are, with one material for each known law, one zone
-  /// and one boundary.
+  /// All parameters there are, with one material for each known law, one zone,
+  /// one boundary and one region.
   std::vector<DeclaredParameter>
   all_parameters();
 } // namespace Riedel::Scene
