@@ -186,13 +186,11 @@ namespace Riedel::Equilibrium
         conditions.homogeneous().add_entries_local_to_global(coupled,
                                                              pattern,
                                                              false);
-    // Fixed dofs that no point sees have no other entry.
-    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
-      if (is_prescribed[i])
-        {
-          const auto dof = space->owned().nth_index_in_set(i);
-          pattern.add(dof, dof);
-        }
+    // Fixed dofs that no point sees have no other entry, nor have hanging ones
+    // of points that move.
+    for (const auto dof : space->owned())
+      if (conditions.homogeneous().is_constrained(dof))
+        pattern.add(dof, dof);
     pattern.compress();
     solver.reset();
     matrix.reinit(pattern);
@@ -372,7 +370,8 @@ namespace Riedel::Equilibrium
     for (unsigned int i = 0; i < is_prescribed.size(); ++i)
       {
         const auto dof = space->owned().nth_index_in_set(i);
-        if (is_prescribed[i] && matrix.diag_element(dof) == 0.0)
+        if (conditions.homogeneous().is_constrained(dof) &&
+            matrix.diag_element(dof) == 0.0)
           matrix.set(dof, dof, all[is_rotation[i]]);
       }
     matrix.compress(dealii::VectorOperation::insert);
