@@ -109,9 +109,14 @@ namespace Riedel::Equilibrium
       stabilisation->rebuild(*points, *supports);
     is_prescribed.assign(space->owned().n_elements(), false);
     for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
-      if (conditions.is_fixed()[i] &&
-          space->owned().is_element(space->relevant().nth_index_in_set(i)))
-        is_prescribed[space->owned_place(i)] = true;
+      {
+        const auto dof = space->relevant().nth_index_in_set(i);
+        // points see the masters of hanging nodes only, whose rows are empty
+        const bool is_fixed = conditions.is_fixed()[i] ||
+                              space->hanging_nodes().is_constrained(dof);
+        if (is_fixed && space->owned().is_element(dof))
+          is_prescribed[space->owned_place(i)] = true;
+      }
     return dealii::Utilities::MPI::sum(fixed_before == conditions.is_fixed() ?
                                          0 :
                                          1,

@@ -219,7 +219,7 @@ namespace Riedel::Equilibrium
     VirtualStress<dim>      virtual_stress;
     /// of points that move; else empty
     std::unique_ptr<SurfaceStabilisation<dim>> stabilisation;
-    Assembly<dim>           assembly;
+    Assembly<dim>                              assembly;
 
     double                        length; ///< divides moments
     LinearAlgebra::SparseMatrix   matrix;
@@ -240,9 +240,9 @@ namespace Riedel::Equilibrium
     std::vector<double>   increment, internal, applied, virtual_forces;
     LinearAlgebra::Vector external, reaction, squared_lengths;
     /// imbalance that is not released yet; empty if it all is
-    LinearAlgebra::Vector                     held;
-    std::vector<bool>                         is_prescribed; ///< by owned place
-    std::vector<bool>                         is_rotation;   ///< by owned place
-    std::vector<typename Loads<dim>::Surface> surfaces;      ///< all ranks
+    LinearAlgebra::Vector held;
+    std::vector<bool>     is_prescribed; ///< or hanging, by place
+    std::vector<bool>     is_rotation;   ///< by owned place
+    std::vector<typename Loads<dim>::Surface> surfaces; ///< all ranks
   };
 } // namespace Riedel::Equilibrium
