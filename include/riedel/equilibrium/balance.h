@@ -57,7 +57,7 @@ namespace Riedel::Equilibrium
     supports_changed();
 
     /// Gives nodes that no point sees the mean increment of the other nodes of
-    /// their cells: a first guess for the step in which they are seen.
+    /// their cells, or none: a first guess for the step in which they are seen.
     void
     continue_to_unseen(LinearAlgebra::Vector &du) const;
 
