@@ -388,10 +388,10 @@ namespace Riedel
     forces_before = balance->external_forces();
     stress_work += balance->stress_work();
 
-    std::vector<double> du;
-    space.gather(increment, du);
     if (points.are_moving())
       balance->continue_to_unseen(increment);
+    std::vector<double> du;
+    space.gather(increment, du);
     extrapolation.accept(steps.tried(), increment);
     // what a new grid has put out of balance says nothing about the step's size
     const bool on_new_grid = grid_record.imbalance > 0.0;
@@ -431,14 +431,19 @@ namespace Riedel
         boundary_displacements[b][c] += added[b][c];
     if (!points.are_moving())
       return;
-    // Where the grid does not end with the body: the side of the box around
-    // all points.
-    const auto extent = Points::extent(points, communicator);
+    // Where no wall holds the body: the side of the box around all points.
+    const auto extent  = Points::extent(points, communicator);
+    const auto is_wall = [this](const std::string &name, const unsigned int d) {
+      for (const auto &boundary : scene.boundary_conditions.boundaries)
+        if (boundary.name == name)
+          return boundary.displacement[d].given();
+      return false;
+    };
     for (std::size_t b = 0; b < added.size(); ++b)
       {
         const auto         name = scene.geometry.names()[b];
         const unsigned int side = body.boundary(name), d = side / 2;
-        if (!scene.grid.ends_at(side))
+        if (!scene.grid.ends_at(side) || !is_wall(name, d))
           boundary_displacements[b][d] =
             side % 2 == 0 ?
               extent.lower_bound(d) - body.extent().lower_bound(d) :

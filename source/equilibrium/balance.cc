@@ -109,9 +109,14 @@ namespace Riedel::Equilibrium
       stabilisation->rebuild(*points, *supports);
     is_prescribed.assign(space->owned().n_elements(), false);
     for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
-      if (conditions.is_fixed()[i] &&
-          space->owned().is_element(space->relevant().nth_index_in_set(i)))
-        is_prescribed[space->owned_place(i)] = true;
+      {
+        const auto dof = space->relevant().nth_index_in_set(i);
+        // points see the masters of hanging nodes only, whose rows are empty
+        const bool is_fixed = conditions.is_fixed()[i] ||
+                              space->hanging_nodes().is_constrained(dof);
+        if (is_fixed && space->owned().is_element(dof))
+          is_prescribed[space->owned_place(i)] = true;
+      }
     return dealii::Utilities::MPI::sum(fixed_before == conditions.is_fixed() ?
                                          0 :
                                          1,
@@ -124,40 +129,79 @@ namespace Riedel::Equilibrium
   void
   Balance<dim>::continue_to_unseen(LinearAlgebra::Vector &du) const
   {
-    std::vector<bool> is_unseen(space->relevant().n_elements(), false);
+    LinearAlgebra::Vector is_known = space->owned_vector();
+    std::vector<double>   values, known(space->relevant().n_elements(), 1.0);
     for (const unsigned int dof : supports->unseen_dofs)
-      is_unseen[dof] = true;
-    std::vector<double> values, sum(is_unseen.size(), 0.0), count = sum;
+      known[dof] = 0.0;
+    for (const auto &dof : conditions.prescribed())
+      known[dof.dof] = 1.0;
+    const auto is_owned = [this](const unsigned int dof) {
+      return space->owned().is_element(space->relevant().nth_index_in_set(dof));
+    };
+    for (unsigned int dof = 0; dof < known.size(); ++dof)
+      if (is_owned(dof))
+        is_known.begin()[space->owned_place(dof)] = known[dof];
+
+    // As many layers of cells as points may cross in a step like this one.
     space->gather(du, values);
+    double largest = 0.0, smallest_cell = std::numeric_limits<double>::max();
+    for (unsigned int dof = 0; dof < known.size(); ++dof)
+      if (known[dof] > 0.0 && space->components()[dof] < dim)
+        largest = std::max(largest, std::abs(values[dof]));
     for (const auto &cell : space->dof_handler().active_cell_iterators())
-      if (!cell->is_artificial())
-        for (unsigned int c = 0; c < space->n_components(); ++c)
-          {
-            double       mean   = 0.0;
-            unsigned int n_seen = 0;
-            for (const unsigned int v : cell->vertex_indices())
+      if (cell->is_locally_owned())
+        for (unsigned int d = 0; d < dim; ++d)
+          smallest_cell =
+            std::min(smallest_cell,
+                     cell->extent_in_direction(d) * space->frame().stretch(d));
+    largest = dealii::Utilities::MPI::max(largest, space->communicator());
+    smallest_cell =
+      dealii::Utilities::MPI::min(smallest_cell, space->communicator());
+    const double layers = 1.0 + std::min(largest / smallest_cell, 50.0);
+
+    std::vector<double> sum(known.size()), count(known.size());
+    for (unsigned int layer = 0; layer < layers; ++layer)
+      {
+        std::fill(sum.begin(), sum.end(), 0.0);
+        std::fill(count.begin(), count.end(), 0.0);
+        for (const auto &cell : space->dof_handler().active_cell_iterators())
+          if (!cell->is_artificial())
+            for (unsigned int c = 0; c < space->n_components(); ++c)
               {
-                const unsigned int dof =
-                  space->local(cell->vertex_dof_index(v, 0) + c);
-                if (!is_unseen[dof])
+                double       mean    = 0.0;
+                unsigned int n_known = 0;
+                for (const unsigned int v : cell->vertex_indices())
                   {
-                    mean += values[dof];
-                    ++n_seen;
+                    const unsigned int dof =
+                      space->local(cell->vertex_dof_index(v, 0) + c);
+                    if (known[dof] > 0.0)
+                      {
+                        mean += values[dof];
+                        ++n_known;
+                      }
                   }
+                if (n_known > 0)
+                  for (const unsigned int v : cell->vertex_indices())
+                    {
+                      const unsigned int dof =
+                        space->local(cell->vertex_dof_index(v, 0) + c);
+                      sum[dof] += mean / n_known;
+                      count[dof] += 1.0;
+                    }
               }
-            if (n_seen > 0)
-              for (const unsigned int v : cell->vertex_indices())
-                {
-                  const unsigned int dof =
-                    space->local(cell->vertex_dof_index(v, 0) + c);
-                  sum[dof] += mean / n_seen;
-                  count[dof] += 1.0;
-                }
-          }
-    for (const unsigned int dof : supports->unseen_dofs)
-      if (count[dof] > 0.0 &&
-          space->owned().is_element(space->relevant().nth_index_in_set(dof)))
-        du.begin()[space->owned_place(dof)] = sum[dof] / count[dof];
+        for (unsigned int dof = 0; dof < known.size(); ++dof)
+          if (known[dof] == 0.0 && count[dof] > 0.0 && is_owned(dof))
+            {
+              du.begin()[space->owned_place(dof)]       = sum[dof] / count[dof];
+              is_known.begin()[space->owned_place(dof)] = 1.0;
+            }
+        space->gather(du, values);
+        space->gather(is_known, known);
+      }
+    // others would keep what was extrapolated for them, more in every step
+    for (unsigned int dof = 0; dof < known.size(); ++dof)
+      if (known[dof] == 0.0 && is_owned(dof))
+        du.begin()[space->owned_place(dof)] = 0.0;
   }
 
 

@@ -72,11 +72,20 @@ namespace Riedel::Grid
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double size = grid.side_length(d) / coarse_cells[d];
-        const auto   cell = [&](const double x) {
-          return static_cast<unsigned int>(
+        const auto   side = [&](const unsigned int i) {
+          return grid.lower_bound(d) + i * size;
+        };
+        // as find_below() computes the sides, not one beside by rounding
+        const auto cell = [&](const double x) {
+          auto i = static_cast<unsigned int>(
             std::clamp(std::floor((x - grid.lower_bound(d)) / size),
                        0.0,
                        coarse_cells[d] - 1.0));
+          if (i > 0 && x < side(i))
+            --i;
+          else if (i + 1 < coarse_cells[d] && x >= side(i + 1))
+            ++i;
+          return i;
         };
         first[d] = cell(lower[d]);
         last[d]  = cell(upper[d]);
@@ -113,12 +122,16 @@ namespace Riedel::Grid
         const unsigned int n    = coarse_cells[d] << level;
         const double       size = grid.side_length(d) / n;
         const double       from = grid.lower_bound(d) + index[d] * size;
-        const double       to   = from + size;
-        const bool         is_inside =
+        // the same number as the next cell's lower side: no gap between them
+        const double to = grid.lower_bound(d) + (index[d] + 1) * size;
+        // of two cells that share a face, the upper one has it; a point that
+        // rounding has put outside the grid is on its side
+        const double slack = 1e-9 * size;
+        const bool   is_inside =
           (lower[d] < upper[d] ?
              lower[d] < to && upper[d] > from :
-             // of two cells that share a face, the upper one has it
-             lower[d] >= from && (lower[d] < to || index[d] + 1 == n));
+             lower[d] >= from - (index[d] == 0) * slack &&
+               (index[d] + 1 == n ? lower[d] <= to + slack : lower[d] < to));
         if (!is_inside)
           return true;
       }

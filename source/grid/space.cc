@@ -101,15 +101,6 @@ namespace Riedel::Grid
             node_dofs[i][d] = i - c + d;
         }
 
-    node_positions.assign(n_relevant, dealii::Point<dim>());
-    std::map<dealii::types::global_dof_index, dealii::Point<dim>> positions;
-    dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<dim>(),
-                                                 dofs,
-                                                 positions);
-    for (const auto &[dof, position] : positions)
-      if (relevant_dofs.is_element(dof))
-        node_positions[local(dof)] = position;
-
     owned_local.clear();
     ghost_local.clear();
     for (unsigned int i = 0; i < n_relevant; ++i)
@@ -127,6 +118,25 @@ namespace Riedel::Grid
                     static_cast<int>(relevant_dofs.nth_index_in_set(i)),
                   dealii::ExcMessage(
                     "Ghosted vectors are not ordered as the relevant dofs."));
+
+    // Owners tell the others: of masters beyond its ghost cells a rank knows no
+    // cell.
+    std::map<dealii::types::global_dof_index, dealii::Point<dim>> positions;
+    dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<dim>(),
+                                                 dofs,
+                                                 positions);
+    node_positions.assign(n_relevant, dealii::Point<dim>());
+    LinearAlgebra::Vector coordinate = owned_vector();
+    std::vector<double>   relevant;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        for (const auto dof : owned_dofs)
+          coordinate(dof) = positions.at(dof)[d];
+        coordinate.compress(dealii::VectorOperation::insert);
+        gather(coordinate, relevant);
+        for (unsigned int i = 0; i < n_relevant; ++i)
+          node_positions[i][d] = relevant[i];
+      }
   }
 
 
@@ -186,10 +196,19 @@ namespace Riedel::Grid
     mask.set(component, true);
     const dealii::IndexSet on_boundary =
       dealii::DoFTools::extract_boundary_dofs(dofs, mask, {id});
-    std::vector<unsigned int> result;
+    // Owners tell the others: a master beyond the ghost cells is on a boundary
+    // that this rank does not see.
+    LinearAlgebra::Vector is_on_boundary = owned_vector();
     for (const auto dof : on_boundary)
-      if (relevant_dofs.is_element(dof))
-        result.push_back(local(dof));
+      if (owned_dofs.is_element(dof))
+        is_on_boundary(dof) = 1.0;
+    is_on_boundary.compress(dealii::VectorOperation::insert);
+    std::vector<double> relevant;
+    gather(is_on_boundary, relevant);
+    std::vector<unsigned int> result;
+    for (unsigned int i = 0; i < relevant.size(); ++i)
+      if (relevant[i] > 0.0)
+        result.push_back(i);
     return result;
   }
 

@@ -57,7 +57,7 @@ namespace Riedel::Equilibrium
     supports_changed();
 
     /// Gives nodes that no point sees the mean increment of the other nodes of
-    /// their cells: a first guess for the step in which they are seen.
+    /// their cells, or none: a first guess for the step in which they are seen.
     void
     continue_to_unseen(LinearAlgebra::Vector &du) const;
 
@@ -249,9 +249,9 @@ namespace Riedel::Equilibrium
     std::vector<double>   increment, internal, applied, virtual_forces;
     LinearAlgebra::Vector external, reaction, squared_lengths;
     /// imbalance that is not released yet; empty if it all is
-    LinearAlgebra::Vector                     held;
-    std::vector<bool>                         is_prescribed; ///< by owned place
-    std::vector<bool>                         is_rotation;   ///< by owned place
-    std::vector<typename Loads<dim>::Surface> surfaces;      ///< all ranks
+    LinearAlgebra::Vector held;
+    std::vector<bool>     is_prescribed; ///< or hanging, by place
+    std::vector<bool>     is_rotation;   ///< by owned place
+    std::vector<typename Loads<dim>::Surface> surfaces; ///< all ranks
   };
 } // namespace Riedel::Equilibrium

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/equilibrium/balance.h>
+#include <riedel/points/current_supports.h>
+#include <riedel/scene/scene.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace Riedel;
+
+namespace
+{
+  /// What a rigid motion has changed that it may not.
+  struct Drift
+  {
+    double stress      = 0.0; ///< from the rotated one, relative to 100 kPa
+    double volume      = 0.0; ///< relative
+    double place       = 0.0; ///< from the rotated one, relative to the block
+    double half_length = 0.0; ///< present from first, relative
+  };
+
+
+
+  /**
+   * Turns the block of tests/points/rotation*.prm about its middle by @p angle
+   * in @p n_steps steps and moves it back and forth through the grid at the
+   * same time. The increments at the nodes are prescribed, nothing is solved:
+   * what is tested is how points take them.
+   */
+  Drift
+  turn(const std::string &case_file,
+       const std::string &sampling,
+       const double       angle,
+       const unsigned int n_steps)
+  {
+    const auto scene =
+      Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/points/" +
+                             case_file,
+                           {"Grid/Strain sampling=" + sampling});
+    Grid::Body<2>              body(MPI_COMM_SELF, scene.geometry, scene.grid);
+    const Grid::Space<2>       space(body.triangulation(),
+                               scene.grid,
+                               scene.materials.is_micropolar());
+    Points::MaterialPoints<2>  points(body.triangulation(),
+                                     scene.materials,
+                                     &scene.moving_points);
+    Points::CurrentSupports<2> supports(space,
+                                        scene.grid,
+                                        scene.moving_points,
+                                        true);
+    points.seed(supports.quadrature(), scene.initial_state, body.extent());
+    const std::vector<double> zero(space.relevant().n_elements(), 0.0);
+    supports.rebuild(zero, points);
+    Timer                   timer;
+    Equilibrium::Balance<2> balance(scene.boundary_conditions,
+                                    scene.loading,
+                                    scene.solver,
+                                    body,
+                                    space,
+                                    points,
+                                    supports.supports(),
+                                    timer);
+
+    const double step = angle / n_steps;
+    // the middle of the block goes along a circle of half a cell
+    const auto middle = [&](const unsigned int n) {
+      const double a = 2.0 * M_PI * n / n_steps;
+      return dealii::Point<2>(0.0025 * std::sin(a),
+                              0.0025 * (1.0 - std::cos(a)));
+    };
+    const auto rotation = [](const double a) {
+      dealii::Tensor<2, 2> R;
+      R[0][0] = R[1][1] = std::cos(a);
+      R[1][0]           = std::sin(a);
+      R[0][1]           = -R[1][0];
+      return R;
+    };
+    const dealii::Tensor<2, 2> R  = rotation(step);
+    LinearAlgebra::Vector      du = space.owned_vector(), r = du;
+    std::vector<double>        nodal(zero.size());
+    for (unsigned int n = 0; n < n_steps; ++n)
+      {
+        for (unsigned int i = 0; i < nodal.size(); ++i)
+          {
+            const auto         x = space.nodes()[i];
+            const unsigned int c = space.components()[i];
+            nodal[i] =
+              c == 2 ? step : (middle(n + 1) + R * (x - middle(n)) - x)[c];
+          }
+        std::copy(nodal.begin(), nodal.end(), du.begin());
+        balance.begin_step(zero, 0.0, 0.0);
+        REQUIRE_FALSE(balance.residual(du, r).refused);
+        supports.accept(zero, nodal, balance.point_increments(), points);
+        balance.supports_changed();
+      }
+
+    dealii::Tensor<2, 2> sigma;
+    sigma[0][0]          = -40e3;
+    sigma[1][1]          = -100e3;
+    const auto turned    = rotation(angle);
+    sigma                = turned * sigma * transpose(turned);
+    const unsigned int s = points.layout().find("stress");
+    const unsigned int n_s =
+      scene.materials.is_micropolar() ? 5 : 4; // 11, 22, 33, 12, 21
+    Drift drift;
+    for (unsigned int p = 0; p < points.n_points(); ++p)
+      {
+        const double *row     = points.row(p);
+        const double  exact[] = {
+           sigma[0][0], sigma[1][1], -40e3, sigma[0][1], sigma[1][0]};
+        for (unsigned int i = 0; i < n_s; ++i)
+          drift.stress =
+            std::max(drift.stress, std::abs(row[s + i] - exact[i]) / 100e3);
+        const auto &place = points.place;
+        drift.volume =
+          std::max(drift.volume,
+                   std::abs(row[place.volume] / row[place.initial_volume] -
+                            1.0));
+        const auto             X = points.initial_position(p);
+        const dealii::Point<2> x = middle(n_steps) + turned * (X - middle(0));
+        drift.place =
+          std::max(drift.place, x.distance(points.position(p)) / 0.02);
+        for (unsigned int d = 0; d < 2; ++d)
+          drift.half_length = std::max(drift.half_length,
+                                       std::abs(points.half_lengths(row)[d] /
+                                                  row[place.half_length + d] -
+                                                1.0));
+      }
+    return drift;
+  }
+} // namespace
+
+
+
+TEST_CASE("A stressed block that turns only turns its stress", "[points]")
+{
+  for (const std::string file : {"rotation_hencky.prm", "rotation_sand.prm"})
+    for (const std::string sampling : {"full", "mean dilatation", "assumed"})
+      for (const unsigned int n_steps : {100, 1000})
+        {
+          const auto drift = turn(file, sampling, M_PI / 2.0, n_steps);
+          INFO(file << ", " << sampling << ", " << n_steps << " steps: stress "
+                    << drift.stress << ", volume " << drift.volume << ", place "
+                    << drift.place << ", half edges " << drift.half_length);
+          // rounding of H times stiffness over pressure, 10 and 1000
+          const double stiffness = file == "rotation_sand.prm" ? 1e3 : 10.0;
+          CHECK(drift.stress < 1e-15 * stiffness * n_steps);
+          CHECK(drift.volume < 1e-14 * n_steps);
+          CHECK(drift.place < 1e-14 * n_steps);
+          CHECK(drift.half_length < 1e-14 * n_steps);
+        }
+}
