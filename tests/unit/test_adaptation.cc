@@ -274,9 +274,8 @@ namespace
     void
     update()
     {
-      supports.rebuild(points);
       space.gather(solution, relevant);
-      supports.update(relevant, points);
+      supports.rebuild(relevant, points);
     }
 
     void
