@@ -45,7 +45,8 @@ namespace Riedel
              scene.materials,
              scene.grid.configuration == Grid::ReferenceConfiguration::current ?
                &scene.moving_points :
-               nullptr)
+               nullptr,
+             Equilibrium::Plates<dim>::slots(scene.plates))
     , supports(Points::SupportBuilder<dim>::create(
         space,
         scene.grid,
@@ -66,7 +67,7 @@ namespace Riedel
     , history(folder.path("history.csv"), is_first_rank)
     , bands_table(folder.path("bands.csv"), is_first_rank)
     , fields(folder, scene.output)
-    , watch(scene.output, scene.boundary_conditions)
+    , watch(scene.output, scene.boundary_conditions, scene.plates)
   {
     for (const auto &material : scene.materials.materials)
       grain_size = std::max(grain_size, material.law->length());
@@ -112,6 +113,7 @@ namespace Riedel
     supports->rebuild(relevant_solution, points);
     balance =
       std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
+                                                  scene.plates,
                                                   scene.loading,
                                                   scene.solver,
                                                   body,
@@ -218,7 +220,8 @@ namespace Riedel
   {
     const Timer::Scope scope(timer, "update of points and supports");
     external_work += 0.5 * ((balance->external_forces() * increment) +
-                            (forces_before * increment));
+                            (forces_before * increment)) +
+                     balance->plate_work();
     forces_before = balance->external_forces();
     stress_work += balance->stress_work();
 
@@ -240,6 +243,7 @@ namespace Riedel
         solution += increment;
         space.gather(solution, relevant_solution);
       }
+    balance->accept_contacts();
     supports->accept(relevant_solution,
                      du,
                      balance->point_increments(),
@@ -393,7 +397,8 @@ namespace Riedel
     record.displacements = boundary_displacements;
     for (const auto &boundary : scene.boundary_conditions.boundaries)
       record.supported.push_back(boundary.name);
-    record.reactions      = balance->reactions();
+    record.reactions = balance->reactions();
+    Output::add_plates(balance->plate_reports(), record);
     record.external_work  = external_work;
     record.stress_work    = stress_work;
     record.outcome        = outcome;

@@ -18,6 +18,7 @@ namespace Riedel::Scene
     const std::string materials_section  = "Materials";
     const std::string zones_section      = "Initial state/Zones";
     const std::string boundaries_section = "Boundary conditions";
+    const std::string plates_section     = "Plates";
 
     /// @p path is @p section or something in it.
     bool
@@ -126,6 +127,7 @@ namespace Riedel::Scene
                                                  name + "/Law"));
       names.zones      = input.names_in(zones_section);
       names.boundaries = input.names_in(boundaries_section);
+      names.plates     = input.names_in(plates_section);
       return names;
     }
 
@@ -136,7 +138,8 @@ namespace Riedel::Scene
                            Report                &report,
                            std::set<std::string> &wrong)
     {
-      for (const std::string &parent : {materials_section, zones_section})
+      for (const std::string &parent :
+           {materials_section, zones_section, plates_section})
         {
           std::vector<std::string> given, invented;
           for (const std::string &name : input.names_in(parent))
@@ -208,8 +211,10 @@ namespace Riedel::Scene
     {
       // these may have no parameters
       std::vector<std::string> named_sections;
-      for (const std::string &parent :
-           {materials_section, zones_section, boundaries_section})
+      for (const std::string &parent : {materials_section,
+                                        zones_section,
+                                        boundaries_section,
+                                        plates_section})
         {
           named_sections.push_back(parent);
           for (const std::string &name : input.names_in(parent))
@@ -290,6 +295,7 @@ namespace Riedel::Scene
     Points::InitialStateParameters<dim>::declare(prm, names.zones);
     Equilibrium::BoundaryConditionParameters<dim>::declare(prm,
                                                            names.boundaries);
+    Equilibrium::PlatesParameters<dim>::declare(prm, names.plates);
     Equilibrium::LoadingParameters<dim>::declare(prm);
     Equilibrium::SolverParameters::declare(prm);
     Output::Parameters::declare(prm);
@@ -313,6 +319,7 @@ namespace Riedel::Scene
                                         Grid::ReferenceConfiguration::current ?
                                       Equilibrium::LoadForm::virtual_stress :
                                       Equilibrium::LoadForm::surface_integral);
+    plates.parse(prm, names.plates);
     loading.parse(prm);
     solver.parse(prm);
     output.parse(prm);
@@ -383,6 +390,7 @@ namespace Riedel::Scene
       names.materials.emplace_back(law, law);
     names.zones      = {"weak spot"};
     names.boundaries = {"left"};
+    names.plates     = {"footing"};
 
     dealii::ParameterHandler prm;
     declare_with_laws<2>(prm, names);

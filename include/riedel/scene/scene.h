@@ -3,6 +3,7 @@
 
 #include <riedel/element_test/parameters.h>
 #include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/plate_parameters.h>
 #include <riedel/errors.h>
 #include <riedel/grid/parameters.h>
 #include <riedel/material/parameters.h>
@@ -24,6 +25,7 @@ namespace Riedel::Scene
     std::vector<std::pair<std::string, std::string>> materials;
     std::vector<std::string>                         zones;
     std::vector<std::string>                         boundaries;
+    std::vector<std::string>                         plates;
   };
 
   /// Everything an input file says: the parameters of every room.
@@ -37,6 +39,7 @@ namespace Riedel::Scene
     Points::MovingPointsParameters                moving_points;
     Points::InitialStateParameters<dim>           initial_state;
     Equilibrium::BoundaryConditionParameters<dim> boundary_conditions;
+    Equilibrium::PlatesParameters<dim>            plates;
     Equilibrium::LoadingParameters<dim>           loading;
     Equilibrium::SolverParameters                 solver;
     Output::Parameters                            output;
@@ -74,8 +77,8 @@ namespace Riedel::Scene
   read_scene(const std::string              &file,
              const std::vector<std::string> &overrides);
 
-  /// All parameters there are, with one material for each known law, one zone
-  /// and one boundary.
+  /// All parameters there are, with one material for each known law, one zone,
+  /// one boundary and one plate.
   std::vector<DeclaredParameter>
   all_parameters();
 } // namespace Riedel::Scene
