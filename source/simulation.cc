@@ -76,7 +76,8 @@ namespace Riedel
              scene.materials,
              scene.grid.configuration == Grid::ReferenceConfiguration::current ?
                &scene.moving_points :
-               nullptr)
+               nullptr,
+             Equilibrium::Plates<dim>::slots(scene.plates))
     , supports(Points::SupportBuilder<dim>::create(
         space,
         scene.grid,
@@ -99,7 +100,7 @@ namespace Riedel
     , history(folder.path("history.csv"), is_first_rank, folder.is_resumed())
     , bands_table(folder.path("bands.csv"), is_first_rank, folder.is_resumed())
     , fields(folder, scene.output)
-    , watch(scene.output, scene.boundary_conditions)
+    , watch(scene.output, scene.boundary_conditions, scene.plates)
     , checkpoints(communicator,
                   folder.name(),
                   scene.checkpoint,
@@ -229,6 +230,7 @@ namespace Riedel
     const auto before = std::move(balance);
     balance =
       std::make_unique<Equilibrium::Balance<dim>>(scene.boundary_conditions,
+                                                  scene.plates,
                                                   scene.loading,
                                                   scene.solver,
                                                   body,
@@ -384,7 +386,8 @@ namespace Riedel
   {
     const Timer::Scope scope(timer, "update of points and supports");
     external_work += 0.5 * ((balance->external_forces() * increment) +
-                            (forces_before * increment));
+                            (forces_before * increment)) +
+                     balance->plate_work();
     forces_before = balance->external_forces();
     stress_work += balance->stress_work();
 
@@ -410,6 +413,7 @@ namespace Riedel
         solution += increment;
         space.gather(solution, relevant_solution);
       }
+    balance->accept_contacts();
     supports->accept(relevant_solution,
                      du,
                      balance->point_increments(),
@@ -577,7 +581,8 @@ namespace Riedel
     record.displacements = boundary_displacements;
     for (const auto &boundary : scene.boundary_conditions.boundaries)
       record.supported.push_back(boundary.name);
-    record.reactions      = balance->reactions();
+    record.reactions = balance->reactions();
+    Output::add_plates(balance->plate_reports(), record);
     record.external_work  = external_work;
     record.stress_work    = stress_work;
     record.outcome        = outcome;

@@ -52,6 +52,7 @@ namespace Riedel::Equilibrium
   template <int dim>
   Balance<dim>::Balance(
     const BoundaryConditionParameters<dim> &boundary_parameters,
+    const PlatesParameters<dim>            &plate_parameters,
     const LoadingParameters<dim>           &loading,
     const SolverParameters                 &solver_parameters,
     const Grid::Body<dim>                  &body,
@@ -70,6 +71,7 @@ namespace Riedel::Equilibrium
     , conditions(boundary_parameters, body, space)
     , loads(boundary_parameters, loading, body, space, !points.are_moving())
     , virtual_stress(boundary_parameters)
+    , plates(plate_parameters, space, points)
     , assembly(points, supports, virtual_stress)
     , length(0.0)
   {
@@ -93,6 +95,7 @@ namespace Riedel::Equilibrium
         squared_lengths.begin()[i] = is_rotation[i] ? length * length : 1.0;
       }
     supports_changed();
+    accepted_plates = plates.reports();
   }
 
 
@@ -107,6 +110,7 @@ namespace Riedel::Equilibrium
     conditions.set_unseen(supports->unseen_dofs);
     if (stabilisation)
       stabilisation->rebuild(*points, *supports);
+    plates.rebuild(load);
     is_prescribed.assign(space->owned().n_elements(), false);
     for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
       {
@@ -230,6 +234,10 @@ namespace Riedel::Equilibrium
         conditions.homogeneous().add_entries_local_to_global(coupled,
                                                              pattern,
                                                              false);
+    for (const auto &coupled : plates.couplings())
+      conditions.homogeneous().add_entries_local_to_global(coupled,
+                                                           pattern,
+                                                           false);
     // Fixed dofs that no point sees have no other entry, nor have hanging ones
     // of points that move.
     for (const auto dof : space->owned())
@@ -256,6 +264,7 @@ namespace Riedel::Equilibrium
     held.clear();
     const auto set_load = [&](const double s) {
       load = s;
+      plates.move(from, s);
       body_forces.assign(start.size(), 0.0);
       loads.add_body_forces(*supports, *points, load, body_forces);
       if (points->are_moving())
@@ -329,8 +338,9 @@ namespace Riedel::Equilibrium
         }
     difference = dealii::Utilities::MPI::max(difference, space->communicator());
     largest    = dealii::Utilities::MPI::max(largest, space->communicator());
-    return largest > 0.0 ? difference / largest :
-                           (difference > 0.0 ? 1.0 : 0.0);
+    const double walls =
+      largest > 0.0 ? difference / largest : (difference > 0.0 ? 1.0 : 0.0);
+    return std::max(walls, plates.kink());
   }
 
 
@@ -443,8 +453,10 @@ namespace Riedel::Equilibrium
     LinearAlgebra::Vector r          = space->owned_vector();
     LinearAlgebra::Vector right_side = space->owned_vector();
     du                               = 0.0;
+    plates.set_sticking(true);
     const Residual result =
       factorise_at(du, conditions.with_increments(prescribed), r, right_side);
+    plates.set_sticking(false);
     if (result.refused)
       return result;
     // r is zero at prescribed dofs, where the right side has their value
@@ -486,6 +498,8 @@ namespace Riedel::Equilibrium
     for (unsigned int i = 0; i < present.size(); ++i)
       present[i] += increment[i];
     loads.add_surface_loads(present, load, applied, add_matrix);
+    plate_forces.assign(increment.size(), 0.0);
+    plates.add_forces(increment, plate_forces, add_matrix);
     surfaces = sum_over_ranks<dim>(loads.surfaces(), communicator);
     virtual_stress.set(surfaces, load);
 
@@ -510,7 +524,7 @@ namespace Riedel::Equilibrium
 
     // Forces at hanging nodes go to their masters.
     for (const auto &line : space->hanging_nodes().get_lines())
-      for (auto *forces : {&internal, &applied, &virtual_forces})
+      for (auto *forces : {&internal, &applied, &plate_forces, &virtual_forces})
         {
           double &force = (*forces)[space->local(line.index)];
           for (const auto &[master, weight] : line.entries)
@@ -524,6 +538,9 @@ namespace Riedel::Equilibrium
     space->scatter_add(internal, r);
     external = 0.0;
     space->scatter_add(applied, external);
+    LinearAlgebra::Vector plate_vector = space->owned_vector();
+    space->scatter_add(plate_forces, plate_vector);
+    external += plate_vector;
     reaction = r;
     reaction -= external;
     LinearAlgebra::Vector virtual_vector = space->owned_vector();
@@ -558,6 +575,7 @@ namespace Riedel::Equilibrium
             sums[is_rotation[i] ? 1 : 0] += scale * r_out[i] * r_out[i];
           }
       }
+    external -= plate_vector; // their work is not done at the nodes
     const auto &report = result.sweep.total;
     sums[4]            = report.refused;
     sums[5]            = report.floored;
@@ -625,6 +643,8 @@ namespace Riedel::Equilibrium
           result[b].force[d] = sums[b * (dim + 1) + d] + surfaces[b].force[d];
         result[b].moment = sums[b * (dim + 1) + dim] + surfaces[b].moment;
       }
+    for (const auto &plate : accepted_plates)
+      result.push_back({plate.force, plate.moment});
     return result;
   }
 
@@ -636,6 +656,15 @@ namespace Riedel::Equilibrium
   {
     return dealii::Utilities::MPI::sum(assembly.stress_work(),
                                        space->communicator());
+  }
+
+
+
+  template <int dim>
+  double
+  Balance<dim>::plate_work() const
+  {
+    return plates.work();
   }
 
 

@@ -33,8 +33,8 @@ namespace Riedel::Output
                       "bands; 0: never.");
     prm.declare_entry("Watch",
                       "",
-                      FormPattern("the name of a boundary"),
-                      "The boundary whose reaction the terminal shows; "
+                      FormPattern("the name of a boundary or plate"),
+                      "The boundary or plate whose force the terminal shows; "
                       "without it, the first one that the load parameter "
                       "moves.");
     prm.leave_subsection();

@@ -40,6 +40,24 @@ namespace Riedel::Output
 
 
   template <int dim>
+  void
+  add_plates(
+    const std::vector<typename Equilibrium::Plates<dim>::Report> &plates,
+    StepRecord<dim>                                              &record)
+  {
+    record.plates = plates;
+    for (const auto &plate : plates)
+      {
+        record.boundaries.push_back(plate.name);
+        record.displacements.emplace_back(plate.displacement.begin_raw(),
+                                          plate.displacement.end_raw());
+        record.supported.push_back(plate.name);
+      }
+  }
+
+
+
+  template <int dim>
   double
   energy_error(const StepRecord<dim> &record)
   {
@@ -88,6 +106,12 @@ namespace Riedel::Output
                            reaction.force[d]);
         row.emplace_back(name + " moment [N" + (dim == 2 ? "" : " m") + "]",
                          reaction.moment);
+      }
+
+    for (const auto &plate : record.plates)
+      {
+        row.emplace_back(plate.name + " contacts [1]", plate.n_contacts);
+        row.emplace_back(plate.name + " sliding [1]", plate.n_sliding);
       }
 
     const auto &residual = record.outcome.residual;
@@ -168,6 +192,9 @@ namespace Riedel::Output
   sum_up_points(const Points::MaterialPoints<2> &,
                 const MPI_Comm,
                 StepRecord<2> &);
+  template void
+  add_plates(const std::vector<Equilibrium::Plates<2>::Report> &,
+             StepRecord<2> &);
   template double
   energy_error(const StepRecord<2> &);
   template Row

@@ -25,31 +25,35 @@ namespace Riedel::Output
   template <int dim>
   Watch<dim>::Watch(
     const Parameters                                    &parameters,
-    const Equilibrium::BoundaryConditionParameters<dim> &conditions)
+    const Equilibrium::BoundaryConditionParameters<dim> &conditions,
+    const Equilibrium::PlatesParameters<dim>            &plates)
   {
-    for (unsigned int b = 0; b < conditions.boundaries.size(); ++b)
-      {
-        const auto &candidate = conditions.boundaries[b];
-        const bool  is_named  = candidate.name == parameters.watch;
-        if (!is_named && !parameters.watch.empty())
-          continue;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const auto &formula = candidate.displacement[d];
-            const bool  moves   = formula.given() && changes(formula);
-            if (boundary < 0 && moves)
-              {
-                boundary  = static_cast<int>(b);
-                component = d;
-                name      = candidate.name;
-              }
-          }
-        if (boundary < 0 && is_named)
-          {
-            boundary = static_cast<int>(b);
-            name     = candidate.name;
-          }
-      }
+    // in the order of the reactions
+    const auto consider = [&](const unsigned int place, const auto &candidate) {
+      const bool is_named = candidate.name == parameters.watch;
+      if (boundary >= 0 || (!is_named && !parameters.watch.empty()))
+        return;
+      for (unsigned int d = 0; d < dim && boundary < 0; ++d)
+        {
+          const auto &formula = candidate.displacement[d];
+          if (formula.given() && changes(formula))
+            {
+              boundary  = static_cast<int>(place);
+              component = d;
+              name      = candidate.name;
+            }
+        }
+      if (boundary < 0 && is_named)
+        {
+          boundary = static_cast<int>(place);
+          name     = candidate.name;
+        }
+    };
+    unsigned int place = 0;
+    for (const auto &candidate : conditions.boundaries)
+      consider(place++, candidate);
+    for (const auto &candidate : plates.plates)
+      consider(place++, candidate);
   }
 
 

@@ -17,7 +17,9 @@ namespace Riedel::Points
     /// The slots that every point has, then those of the laws.
     template <int dim>
     Material::StateLayout
-    make_layout(const Material::Parameters<dim> &materials, const bool has_box)
+    make_layout(const Material::Parameters<dim> &materials,
+                const bool                       has_box,
+                const Material::StateLayout     &more)
     {
       const std::string        volume_unit = (dim == 2 ? "m2" : "m3");
       const std::string        mass_unit   = (dim == 2 ? "kg/m" : "kg");
@@ -48,6 +50,7 @@ namespace Riedel::Points
                      "deformation gradient since the start",
                      components);
         }
+      layout.merge(more);
       for (const auto &material : materials.materials)
         layout.merge(material.law->layout());
       return layout;
@@ -60,13 +63,15 @@ namespace Riedel::Points
   MaterialPoints<dim>::MaterialPoints(
     dealii::parallel::distributed::Triangulation<dim> &triangulation,
     const Material::Parameters<dim>                   &materials,
-    const MovingPointsParameters                      *moving)
+    const MovingPointsParameters                      *moving,
+    const Material::StateLayout                       &more)
     : triangulation(&triangulation)
     , laws(&materials)
     , moving(moving)
     , slots(
         make_layout(materials,
-                    moving != nullptr && moving->shape == Shape::generalised))
+                    moving != nullptr && moving->shape == Shape::generalised,
+                    more))
     , handler(triangulation, mapping, slots.size())
   {
     place.material             = slots.find("material");

@@ -177,6 +177,38 @@ namespace Riedel::Scene
                              " prescribes the motion across this boundary. "
                              "Remove one of the two.");
     }
+
+    /// Plates push points that move and have boxes, from outside the body.
+    template <int dim>
+    void
+    check_plates(const Scene<dim>               &scene,
+                 const dealii::BoundingBox<dim> &body,
+                 Problems                       &problems)
+    {
+      const auto &plates = scene.plates.plates;
+      if (plates.empty())
+        return;
+      if (scene.grid.configuration != Grid::ReferenceConfiguration::current)
+        problems.error("Plates",
+                       "Plates push material points: \"set Reference "
+                       "configuration = current\" in section Grid.");
+      else if (scene.moving_points.shape != Points::Shape::generalised)
+        problems.error("Plates",
+                       "Plates touch the boxes of points: \"set Shape = "
+                       "generalised\" in section Material points.");
+      else if (!scene.materials.materials.empty() &&
+               scene.materials.materials.front().law->is_geometrically_linear())
+        problems.error("Plates",
+                       "The points of a geometrically linear law do not move: "
+                       "a plate would never meet them.");
+      for (const auto &plate : plates)
+        {
+          const std::string section = "Plates/" + plate.name;
+          if (overlap(plate.box, body))
+            problems.error(section + "/Box",
+                           "The plate lies in the body. It may touch it.");
+        }
+    }
   } // namespace
 
 
@@ -215,14 +247,22 @@ namespace Riedel::Scene
                        Grid::ReferenceConfiguration::initial,
                      problems);
 
-    const auto boundaries = geometry.names();
+    plates.check(geometry.names(), problems);
+
+    auto watchable = geometry.names();
+    for (const auto &plate : plates.plates)
+      watchable.push_back(plate.name);
     if (!output.watch.empty() &&
-        std::find(boundaries.begin(), boundaries.end(), output.watch) ==
-          boundaries.end())
+        std::find(watchable.begin(), watchable.end(), output.watch) ==
+          watchable.end())
       problems.error("Output/Watch",
-                     "The body has no boundary \"" + output.watch + "\"." +
-                       did_you_mean(output.watch, boundaries) +
-                       "\nIts boundaries are: " + enumerate(boundaries) + ".");
+                     "The body has no boundary" +
+                       std::string(plates.plates.empty() ? "" : " or plate") +
+                       " \"" + output.watch + "\"." +
+                       did_you_mean(output.watch, watchable) +
+                       (plates.plates.empty() ? "\nIts boundaries are: " :
+                                                "\nThere are: ") +
+                       enumerate(watchable) + ".");
 
     dealii::BoundingBox<dim> body;
     const bool               is_box = body_box(geometry, body);
@@ -230,6 +270,7 @@ namespace Riedel::Scene
       {
         check_places(*this, body, problems);
         check_pressures(*this, problems);
+        check_plates(*this, body, problems);
       }
     if (is_box || !geometry.file.empty())
       check_initial_states(*this, is_box ? &body : nullptr, problems);

@@ -214,6 +214,10 @@ namespace Riedel::Scene
        "One subsection per boundary, with the name of a boundary of the body. "
        "What is not given is free. Where two boundaries meet and both "
        "prescribe a component, the one named first counts."},
+      {"Plates",
+       "One subsection per rigid plate, with a name of your choice: a "
+       "rectangular block that pushes the material points of the configuration "
+       "current and does not fit the grid."},
       {"Loading",
        "The load parameter s runs from 0 to `Stop` in steps that adapt "
        "themselves."},

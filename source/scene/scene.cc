@@ -19,6 +19,7 @@ namespace Riedel::Scene
     const std::string zones_section      = "Initial state/Zones";
     const std::string regions_section    = "Adaptation/Regions";
     const std::string boundaries_section = "Boundary conditions";
+    const std::string plates_section     = "Plates";
 
     /// @p path is @p section or something in it.
     bool
@@ -128,6 +129,7 @@ namespace Riedel::Scene
       names.zones      = input.names_in(zones_section);
       names.regions    = input.names_in(regions_section);
       names.boundaries = input.names_in(boundaries_section);
+      names.plates     = input.names_in(plates_section);
       return names;
     }
 
@@ -139,7 +141,7 @@ namespace Riedel::Scene
                            std::set<std::string> &wrong)
     {
       for (const std::string &parent :
-           {materials_section, zones_section, regions_section})
+           {materials_section, zones_section, regions_section, plates_section})
         {
           std::vector<std::string> given, invented;
           for (const std::string &name : input.names_in(parent))
@@ -214,7 +216,8 @@ namespace Riedel::Scene
       for (const std::string &parent : {materials_section,
                                         zones_section,
                                         regions_section,
-                                        boundaries_section})
+                                        boundaries_section,
+                                        plates_section})
         {
           named_sections.push_back(parent);
           for (const std::string &name : input.names_in(parent))
@@ -295,6 +298,7 @@ namespace Riedel::Scene
     Points::InitialStateParameters<dim>::declare(prm, names.zones);
     Equilibrium::BoundaryConditionParameters<dim>::declare(prm,
                                                            names.boundaries);
+    Equilibrium::PlatesParameters<dim>::declare(prm, names.plates);
     Equilibrium::LoadingParameters<dim>::declare(prm);
     Equilibrium::SolverParameters::declare(prm);
     Adaptation::Parameters<dim>::declare(prm, names.regions);
@@ -320,6 +324,7 @@ namespace Riedel::Scene
                                         Grid::ReferenceConfiguration::current ?
                                       Equilibrium::LoadForm::virtual_stress :
                                       Equilibrium::LoadForm::surface_integral);
+    plates.parse(prm, names.plates);
     loading.parse(prm);
     solver.parse(prm);
     adaptation.parse(prm, names.regions);
@@ -393,6 +398,7 @@ namespace Riedel::Scene
     names.zones      = {"weak spot"};
     names.regions    = {"corner"};
     names.boundaries = {"left"};
+    names.plates     = {"footing"};
 
     dealii::ParameterHandler prm;
     declare_with_laws<2>(prm, names);

@@ -51,12 +51,14 @@ namespace
     Points::CurrentSupports<2> supports(space,
                                         scene.grid,
                                         scene.moving_points,
+                                        std::vector<bool>(4, false),
                                         true);
     points.seed(supports.quadrature(), scene.initial_state, body.extent());
     const std::vector<double> zero(space.relevant().n_elements(), 0.0);
     supports.rebuild(zero, points);
     Timer                   timer;
     Equilibrium::Balance<2> balance(scene.boundary_conditions,
+                                    scene.plates,
                                     scene.loading,
                                     scene.solver,
                                     body,

@@ -6,6 +6,7 @@
 #include <riedel/equilibrium/direct_solver.h>
 #include <riedel/equilibrium/loads.h>
 #include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/plates.h>
 #include <riedel/equilibrium/surface_stabilisation.h>
 #include <riedel/equilibrium/virtual_stress.h>
 #include <riedel/grid/body.h>
@@ -43,6 +44,7 @@ namespace Riedel::Equilibrium
   {
   public:
     Balance(const BoundaryConditionParameters<dim> &boundary_parameters,
+            const PlatesParameters<dim>            &plate_parameters,
             const LoadingParameters<dim>           &loading,
             const SolverParameters                 &solver,
             const Grid::Body<dim>                  &body,
@@ -105,7 +107,8 @@ namespace Riedel::Equilibrium
     impose(LinearAlgebra::Vector &du) const;
 
     /// Largest difference between the prescribed increments and those of @p du,
-    /// relative to the largest prescribed increment.
+    /// relative to the largest prescribed increment; or the kink in the motion
+    /// of a plate.
     double
     mismatch(const LinearAlgebra::Vector &du) const;
 
@@ -142,27 +145,48 @@ namespace Riedel::Equilibrium
     }
 
     /// Loads plus reactions after the last sweep, all dofs: what does external
-    /// work.
+    /// work besides the plates, see plate_work().
     const LinearAlgebra::Vector &
     external_forces() const
     {
       return external;
     }
 
+    /// The tractions of the plates become the points' own, before they move.
+    void
+    accept_contacts()
+    {
+      accepted_plates = plates.reports();
+      plates.accept();
+    }
+
+    /// What the plates did in the last accepted step.
+    const std::vector<typename Plates<dim>::Report> &
+    plate_reports() const
+    {
+      return accepted_plates;
+    }
+
     /// Force [N/m in 2D] and moment about the origin [N] that a boundary exerts
-    /// on the body after the last sweep, summed over the ranks.
+    /// on the body after the last sweep, or a plate after the last accepted
+    /// step, summed over the ranks.
     struct Reaction
     {
       dealii::Tensor<1, dim> force;
       double                 moment = 0.0;
     };
 
+    /// Of the boundaries with conditions, then of the plates.
     std::vector<Reaction>
     reactions() const;
 
     /// Work of the stresses over the step, all ranks.
     double
     stress_work() const;
+
+    /// Work of the plates on the points over the step, all ranks.
+    double
+    plate_work() const;
 
     const typename Assembly<dim>::Cost &
     law_cost() const
@@ -228,6 +252,7 @@ namespace Riedel::Equilibrium
     VirtualStress<dim>      virtual_stress;
     /// of points that move; else empty
     std::unique_ptr<SurfaceStabilisation<dim>> stabilisation;
+    Plates<dim>                                plates;
     Assembly<dim>                              assembly;
 
     double                        length; ///< divides moments
@@ -246,12 +271,14 @@ namespace Riedel::Equilibrium
            present; ///< displacement of the last sweep, relevant dofs
     double load = 0.0;
     /// nodal forces of the last sweep, relevant dofs
-    std::vector<double>   increment, internal, applied, virtual_forces;
+    std::vector<double> increment, internal, applied, plate_forces,
+      virtual_forces;
     LinearAlgebra::Vector external, reaction, squared_lengths;
     /// imbalance that is not released yet; empty if it all is
-    LinearAlgebra::Vector held;
-    std::vector<bool>     is_prescribed; ///< or hanging, by place
-    std::vector<bool>     is_rotation;   ///< by owned place
-    std::vector<typename Loads<dim>::Surface> surfaces; ///< all ranks
+    LinearAlgebra::Vector                     held;
+    std::vector<bool>                         is_prescribed; ///< or hanging
+    std::vector<bool>                         is_rotation;   ///< by owned place
+    std::vector<typename Loads<dim>::Surface> surfaces;      ///< all ranks
+    std::vector<typename Plates<dim>::Report> accepted_plates;
   };
 } // namespace Riedel::Equilibrium

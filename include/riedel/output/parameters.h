@@ -21,8 +21,8 @@ namespace Riedel::Output
     bool   write_points = true; ///< VTU + PVD and HDF5 of the points
     /// load parameter between two measurements of the bands; 0: never
     double bands_every = 0.05;
-    /// boundary whose reaction is P1 on the terminal; empty: the first one with
-    /// a prescribed displacement that depends on s
+    /// boundary or plate whose force is P1 on the terminal; empty: the first
+    /// one with a prescribed displacement that depends on s
     std::string watch;
 
     static void

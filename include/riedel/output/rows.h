@@ -31,9 +31,12 @@ namespace Riedel::Output
     /// rotations
     std::vector<std::string>         boundaries;
     std::vector<std::vector<double>> displacements;
-    /// names of the boundaries with conditions, and their reactions
+    /// names of the boundaries with conditions, and their reactions; behind
+    /// them those of the plates, of which there is more in plates
     std::vector<std::string>                                  supported;
     std::vector<typename Equilibrium::Balance<dim>::Reaction> reactions;
+    /// of every plate
+    std::vector<typename Equilibrium::Plates<dim>::Report> plates;
 
     double external_work = 0.0, stress_work = 0.0; ///< since the start [J/m]
     /// sums over all ranks
@@ -56,6 +59,13 @@ namespace Riedel::Output
   sum_up_points(const Points::MaterialPoints<dim> &points,
                 const MPI_Comm                     communicator,
                 StepRecord<dim>                   &record);
+
+  /// Appends the plates to the boundaries of @p record.
+  template <int dim>
+  void
+  add_plates(
+    const std::vector<typename Equilibrium::Plates<dim>::Report> &plates,
+    StepRecord<dim>                                              &record);
 
   /// Difference of external and stress work over the larger one.
   template <int dim>

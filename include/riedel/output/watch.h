@@ -3,6 +3,7 @@
 
 #include <riedel/equilibrium/balance.h>
 #include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/plate_parameters.h>
 #include <riedel/output/parameters.h>
 
 #include <string>
@@ -10,18 +11,20 @@
 namespace Riedel::Output
 {
   /**
-   * The force that a run shows on the terminal as P1: of the boundary named by
-   * Output/Watch, or of the first one with a prescribed displacement that
-   * changes with s.
+   * The force that a run shows on the terminal as P1: of the boundary or plate
+   * named by Output/Watch, or of the first one with a prescribed displacement
+   * that changes with s; boundaries come first.
    */
   template <int dim>
   class Watch
   {
   public:
     Watch(const Parameters                                    &parameters,
-          const Equilibrium::BoundaryConditionParameters<dim> &conditions);
+          const Equilibrium::BoundaryConditionParameters<dim> &conditions,
+          const Equilibrium::PlatesParameters<dim>            &plates);
 
-    /// The force [N/m in 2D]; 0 if there is nothing to watch.
+    /// The force [N/m in 2D]; 0 if there is nothing to watch. @p reactions:
+    /// of the boundaries with conditions, then of the plates.
     double
     force(const std::vector<typename Equilibrium::Balance<dim>::Reaction>
             &reactions) const;

@@ -44,11 +44,13 @@ namespace Riedel::Points
   {
   public:
     /// @p moving: the points of the configuration "current"; null for
-    /// "initial". They stay if all laws are geometrically linear.
+    /// "initial". They stay if all laws are geometrically linear. @p more:
+    /// slots that every point has besides its own and its law's.
     MaterialPoints(
       dealii::parallel::distributed::Triangulation<dim> &triangulation,
       const Material::Parameters<dim>                   &materials,
-      const MovingPointsParameters                      *moving = nullptr);
+      const MovingPointsParameters                      *moving = nullptr,
+      const Material::StateLayout &more = Material::StateLayout());
 
     MaterialPoints(const MaterialPoints &) = delete;
     MaterialPoints &

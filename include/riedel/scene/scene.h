@@ -5,6 +5,7 @@
 #include <riedel/checkpoint/parameters.h>
 #include <riedel/element_test/parameters.h>
 #include <riedel/equilibrium/parameters.h>
+#include <riedel/equilibrium/plate_parameters.h>
 #include <riedel/errors.h>
 #include <riedel/grid/parameters.h>
 #include <riedel/material/parameters.h>
@@ -27,6 +28,7 @@ namespace Riedel::Scene
     std::vector<std::string>                         zones;
     std::vector<std::string>                         regions;
     std::vector<std::string>                         boundaries;
+    std::vector<std::string>                         plates;
   };
 
   /// Everything an input file says: the parameters of every room.
@@ -40,6 +42,7 @@ namespace Riedel::Scene
     Points::MovingPointsParameters                moving_points;
     Points::InitialStateParameters<dim>           initial_state;
     Equilibrium::BoundaryConditionParameters<dim> boundary_conditions;
+    Equilibrium::PlatesParameters<dim>            plates;
     Equilibrium::LoadingParameters<dim>           loading;
     Equilibrium::SolverParameters                 solver;
     Adaptation::Parameters<dim>                   adaptation;
@@ -80,7 +83,7 @@ namespace Riedel::Scene
              const std::vector<std::string> &overrides);
 
   /// All parameters there are, with one material for each known law, one zone,
-  /// one boundary and one region.
+  /// one boundary, one plate and one region.
   std::vector<DeclaredParameter>
   all_parameters();
 } // namespace Riedel::Scene
