@@ -28,6 +28,7 @@ namespace
       , supports(Points::SupportBuilder<2>::create(space,
                                                    scene.grid,
                                                    scene.moving_points,
+                                                   std::vector<bool>(4, false),
                                                    true))
     {
       space.set_frame(Grid::Frame<2>(body.grid_extent()));
