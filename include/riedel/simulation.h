@@ -47,8 +47,8 @@ namespace Riedel
     start();
     bool
     solve_step();
-    /// Writes the first guess of a step's increments: extrapolated from the last
-    /// steps, or by the tangent.
+    /// Writes the first guess of a step's increments: extrapolated from the
+    /// last steps, or by the tangent.
     Equilibrium::Outcome
     first_guess(const double step, const bool extrapolated);
     void
