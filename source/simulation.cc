@@ -326,9 +326,20 @@ namespace Riedel
                         load + step,
                         steps.share_of_uncut());
 
-    outcome = first_guess(step);
-    if (outcome.failure.empty())
-      outcome = scheme->solve(*balance, increment, steps.is_last_chance());
+    const auto try_from = [&](const bool extrapolated) {
+      outcome = first_guess(step, extrapolated);
+      if (outcome.failure.empty())
+        outcome = scheme->solve(*balance, increment, steps.is_last_chance());
+    };
+    const bool extrapolated = extrapolation.is_possible();
+    try_from(extrapolated);
+    // What points have not seen yet, an extrapolation only guesses; and a
+    // smaller step may not be easier for them.
+    if (!outcome.converged && extrapolated && points.are_moving())
+      {
+        scheme->distrust();
+        try_from(false);
+      }
     if (outcome.converged)
       return true;
 
@@ -359,10 +370,10 @@ namespace Riedel
 
   template <int dim>
   Equilibrium::Outcome
-  Simulation<dim>::first_guess(const double step)
+  Simulation<dim>::first_guess(const double step, const bool extrapolated)
   {
     Equilibrium::Outcome guess;
-    if (extrapolation.is_possible())
+    if (extrapolated)
       {
         extrapolation.predict(step, increment);
         // a kink in what is prescribed must not end in the boundary's cells

@@ -60,9 +60,10 @@ namespace Riedel
     prepare();
     bool
     solve_step();
-    /// Writes the first guess of a step's increments.
+    /// Writes the first guess of a step's increments: extrapolated from the
+    /// last steps, or by the tangent.
     Equilibrium::Outcome
-    first_guess(const double step);
+    first_guess(const double step, const bool extrapolated);
     void
     accept_step();
     /// Refines and coarsens the grid where the criteria ask for it.
