@@ -209,6 +209,39 @@ namespace Riedel::Scene
                            "The plate lies in the body. It may touch it.");
         }
     }
+
+    /// What the sides of a body cannot have when its points move through the
+    /// grid.
+    template <int dim>
+    void
+    check_sides_of_moving_points(const Scene<dim> &scene, Problems &problems)
+    {
+      if (scene.grid.configuration != Grid::ReferenceConfiguration::current ||
+          scene.materials.materials.empty() ||
+          scene.materials.materials.front().law->is_geometrically_linear())
+        return;
+      for (const auto &boundary : scene.boundary_conditions.boundaries)
+        {
+          const std::string path = "Boundary conditions/" + boundary.name;
+          if (boundary.pressure.given() &&
+              boundary.form == Equilibrium::LoadForm::surface_integral)
+            problems.error(path + "/Load form",
+                           "Points that move through the grid have no faces "
+                           "to integrate over. Write \"virtual stress\".");
+          for (const auto &[id, name] : scene.geometry.boundary_names)
+            if (name == boundary.name && id < 2 * dim &&
+                scene.grid.margin.size() == 2 * dim &&
+                !scene.grid.ends_at(id) &&
+                boundary.displacement[id / 2].given())
+              problems.error(path + "/Displacement " +
+                               std::to_string(id / 2 + 1),
+                             "The body does not reach this side of the grid: "
+                             "Grid/Margin cells has " +
+                               std::to_string(scene.grid.margin[id]) +
+                               " cells there. Set them to 0, or push the body "
+                               "with one of the Plates.");
+        }
+    }
   } // namespace
 
 
@@ -270,6 +303,7 @@ namespace Riedel::Scene
       {
         check_places(*this, body, problems);
         check_pressures(*this, problems);
+        check_sides_of_moving_points(*this, problems);
         check_plates(*this, body, problems);
       }
     if (is_box || !geometry.file.empty())
