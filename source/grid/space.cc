@@ -149,9 +149,18 @@ namespace Riedel::Grid
     bool complete = false;
     while (!complete)
       {
-        hanging.make_consistent_in_parallel(owned_dofs,
-                                            relevant_dofs,
-                                            communicator());
+        // without an index set: lines that come from other ranks name masters
+        // that this rank does not know yet
+        dealii::AffineConstraints<double> exchanged;
+        for (const auto &line : hanging.get_lines())
+          {
+            exchanged.add_line(line.index);
+            exchanged.add_entries(line.index, line.entries);
+          }
+        exchanged.make_consistent_in_parallel(owned_dofs,
+                                              relevant_dofs,
+                                              communicator());
+        hanging             = std::move(exchanged);
         const auto n_before = relevant_dofs.n_elements();
         for (const auto &line : hanging.get_lines())
           for (const auto &[master, weight] : line.entries)

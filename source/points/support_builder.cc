@@ -13,11 +13,8 @@ namespace Riedel::Points
                               const bool                    follow_deformation)
   {
     if (grid.configuration == Grid::ReferenceConfiguration::current)
-      return std::make_unique<CurrentSupports<dim>>(space,
-                                                    grid,
-                                                    moving,
-                                                    is_wall,
-                                                    follow_deformation);
+      return std::make_unique<CurrentSupports<dim>>(
+        space, grid, moving, is_wall, follow_deformation);
     return std::make_unique<InitialSupports<dim>>(space,
                                                   grid,
                                                   follow_deformation);
