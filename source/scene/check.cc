@@ -233,13 +233,13 @@ namespace Riedel::Scene
                 scene.grid.margin.size() == 2 * dim &&
                 !scene.grid.ends_at(id) &&
                 boundary.displacement[id / 2].given())
-              problems.error(path + "/Displacement " +
-                               std::to_string(id / 2 + 1),
-                             "The body does not reach this side of the grid: "
-                             "Grid/Margin cells has " +
-                               std::to_string(scene.grid.margin[id]) +
-                               " cells there. Set them to 0, or push the body "
-                               "with one of the Plates.");
+              problems.warning(
+                path + "/Displacement " + std::to_string(id / 2 + 1),
+                "The body does not reach this side of the grid: "
+                "Grid/Margin cells has " +
+                  std::to_string(scene.grid.margin[id]) +
+                  " cells there. Set them to 0, or push the body "
+                  "with one of the Plates.");
         }
     }
   } // namespace
