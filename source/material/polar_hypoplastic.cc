@@ -528,9 +528,9 @@ namespace Riedel::Material
     prm.declare_entry("Floor pressure",
                       "100",
                       Double(),
-                      "Smallest mean pressure: a point below it is put on it, "
-                      "isotropically and without couple stress, and counted. "
-                      "Pa.");
+                      "Smallest mean pressure: a point below it is returned to "
+                      "it and counted; its deviator and couple stress vanish "
+                      "with the pressure that it would have. Pa.");
     prm.declare_entry("Substep tolerance",
                       "1e-4",
                       Double(),

@@ -505,6 +505,27 @@ TEST_CASE("beyond the limits: finite and reported", "[unit][hypoplastic][law]")
         CHECK(mean_pressure(returns.state) > 200.);
       }
 
+      SECTION(name + ": no jump where a point leaves the floor")
+      {
+        const auto          start = state_of({-100., -100., -100., 0., 0.}, .7);
+        const unsigned int  n_directions = 20000;
+        std::vector<double> before;
+        double              largest = 0.;
+        for (unsigned int i = 0; i <= n_directions; ++i)
+          {
+            // from compression through shear to extension and back
+            const double angle = 2. * M_PI * i / n_directions;
+            auto         d     = increment(-2e-4 * std::cos(angle), 0.);
+            d[1]               = 2e-4 * std::sin(angle);
+            const auto now     = respond(*law, start, d).state;
+            for (unsigned int k = 0; i > 0 && k < 5; ++k)
+              largest = std::max(largest, std::abs(now[k] - before[k]));
+            before = now;
+          }
+        INFO("largest change between neighbours: " << largest << " Pa");
+        CHECK(largest < 1.);
+      }
+
       SECTION(name + ": tension and zero stress at the start")
       {
         for (const double stress : {0., 50e3})
