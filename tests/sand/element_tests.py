@@ -23,11 +23,14 @@ def reference(name):
     return list(csv.DictReader(l for l in lines if not l.startswith("#")))
 
 
-def run(case, name, **settings):
-    """The rows of element_test.csv as dictionaries of numbers."""
+def run(case, name, others=None, **settings):
+    """The rows of element_test.csv as dictionaries of numbers. The settings are
+    those of the element test, and others with their sections."""
+    changes = {f"Element test/{entry.replace('_', ' ')}": value
+               for entry, value in settings.items()}
+    changes.update(others or {})
     result = check.run(CASES / case / "case.prm", file_name(name),
-                       [f"Element test/{entry.replace('_', ' ')}={value}"
-                        for entry, value in settings.items()])
+                       [f"{entry}={value}" for entry, value in changes.items()])
     with open(result.folder / "element_test.csv", newline="") as file:
         return [{column: float(value) for column, value in row.items()}
                 for row in csv.DictReader(file)]
@@ -137,4 +140,14 @@ for pressure in (4e3, 16e3):
     angles.append(math.degrees(math.atan(end[S["12"]] / -end[S["22"]])))
 check.close("simple shear, atan(s12/s22) at no pressure [deg]",
             2.0 * angles[0] - angles[1], 29.431, absolute=1e-3)
+# m/(3 p d50) = a1 fd with fd = 1/sqrt(a1 ac - a1^2), where nothing changes any
+# more under a curvature alone; a1 is that of an isotropic stress.
+a1 = 1.0 / (math.sqrt(3.0 / 8.0) * (3.0 - 0.5) / 0.5)
+for name, ac in (("1/a1", 1.0 / a1), ("a1 + 1/a1", a1 + 1.0 / a1)):
+    end = run("curvature", f"curvature {name}",
+              {"Materials/sand/Polar constant": name})[-1]
+    check.close(f"curvature, a_c = {name}, m/(3 p d50)",
+                end["couple stress 1 [N/m]"] /
+                (3.0 * end["mean pressure [Pa]"] * 0.5e-3),
+                a1 / math.sqrt(a1 * ac - a1 * a1), 1e-5)
 check.finish()
