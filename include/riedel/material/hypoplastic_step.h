@@ -579,7 +579,8 @@ namespace Riedel::Material
     }
 
     /// Adds f_s (a_1^2 d^c + I tr d^c / 9) and f_s a_1^2 k d_50 at the
-    /// pressure of @p y to its derivatives, not to its value.
+    /// pressure of @p y to its derivatives, not to its value. d_33 is a given
+    /// number without derivatives, if there is one.
     void
     add_floor_stiffness(Stress &y) const
     {
@@ -594,15 +595,10 @@ namespace Riedel::Material
                                                ignored);
       const auto                       d = loading.at(1.);
       const double stiffness = factors.f_s * factors.a_1 * factors.a_1;
-      Number       trace     = d[0] + d[1];
-      if constexpr (axis_3)
-        trace += d.back();
-      const Number isotropic = (factors.f_s / 9.) * trace;
+      const Number isotropic = (factors.f_s / 9.) * (d[0] + d[1]);
       y[0] += only_derivatives(stiffness * d[0] + isotropic);
       y[1] += only_derivatives(stiffness * d[1] + isotropic);
       y[2] += only_derivatives(isotropic);
-      if constexpr (axis_3)
-        y[2] += only_derivatives(stiffness * d.back());
       for (unsigned int i = 2; i + 1 < y.size(); ++i)
         y[1 + i] += only_derivatives(stiffness * d[i]);
     }

@@ -35,8 +35,8 @@ namespace Riedel::Material
     /// n_points logarithmic strains of axis 3 in the step, extension positive;
     /// null: plane strain. For element tests only, the fields of a body in
     /// plane strain have none, and for laws that say Law::can_stretch_axis_3().
-    /// State and void ratio follow it. Stresses and tangents stay those of the
-    /// plane: j is det f in the plane, and axis 3 is no increment of theirs.
+    /// State and void ratio follow it; stresses stay those of the plane, where
+    /// j is det f in the plane. Tangents are not asked for together with it.
     const double *axis_3_strains = nullptr;
   };
 
