@@ -416,6 +416,7 @@ namespace Riedel
     ++n_steps;
     n_floored_points += outcome.residual.sweep.total.floored;
     n_clamped_points += outcome.residual.sweep.total.clamped;
+    n_stalled_steps += outcome.stalled;
 
     if (points.are_moving())
       space.set_frame(balance->walls(load));
@@ -523,7 +524,7 @@ namespace Riedel
   Simulation<dim>::shown_solution() const
   {
     return points.are_moving() ?
-             Points::nodal_means(space, points, supports->supports()) :
+             Points::nodal_values(space, points, supports->supports()) :
              relevant_solution;
   }
 
@@ -567,6 +568,7 @@ namespace Riedel
     log.line(Output::summary(record,
                              n_floored_points,
                              n_clamped_points,
+                             n_stalled_steps,
                              law_cost,
                              timer,
                              wall_seconds() - earlier.wall,

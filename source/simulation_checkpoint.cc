@@ -27,7 +27,7 @@ namespace Riedel
 
     archive &external_work &stress_work &boundary_displacements;
 
-    archive &n_floored_points &n_clamped_points;
+    archive &n_floored_points &n_clamped_points &n_stalled_steps;
 
     archive &bands &last_bands &last_fields &fields &history &bands_table;
   }

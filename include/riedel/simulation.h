@@ -177,6 +177,7 @@ namespace Riedel
     unsigned int          last_look   = 0; ///< step of the last criteria
     double                last_fields = 0.0, last_bands = 0.0;
     std::size_t           n_floored_points = 0, n_clamped_points = 0;
+    unsigned int          n_stalled_steps = 0;
 
     /// by balances before the present one, and runs before this one
     Spent                                     earlier;

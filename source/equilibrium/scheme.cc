@@ -2,6 +2,7 @@
 #include <riedel/equilibrium/anderson.h>
 #include <riedel/equilibrium/scheme.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -29,6 +30,63 @@ namespace Riedel::Equilibrium
 
 
 
+    /// Line search: adds the largest of the fractions 1, 1/2, ... of the
+    /// correction that reduces the residual; the last one if none does.
+    template <int dim>
+    Residual
+    search_along(Balance<dim>                &balance,
+                 const Residual              &before,
+                 const LinearAlgebra::Vector &delta,
+                 LinearAlgebra::Vector       &du,
+                 LinearAlgebra::Vector       &r)
+    {
+      const LinearAlgebra::Vector from = du;
+      Residual                    residual;
+      for (double fraction = 1.0; fraction > 0.05; fraction *= 0.5)
+        {
+          du = from;
+          du.add(fraction, delta);
+          residual = balance.residual(du, r);
+          if (!residual.refused &&
+              residual.relative() < (1.0 - 0.1 * fraction) * before.relative())
+            break;
+        }
+      return residual;
+    }
+
+
+
+    /**
+     * Newton's method may end in a cycle at a small residual: the number of
+     * substeps of a law's integration is whole, and where it changes the
+     * stress jumps by the integration's tolerance. No other step size would
+     * help; so such a balance is taken, and counted.
+     */
+    class Stalling
+    {
+    public:
+      explicit Stalling(const double allowed)
+        : allowed(allowed)
+      {}
+
+      /// To be asked once per iteration of Newton's method.
+      bool
+      is_seen_at(const double residual)
+      {
+        n_in_row = residual < 0.7 * best ? 0 : n_in_row + 1;
+        best     = std::min(best, residual);
+        return n_in_row >= 4 && residual <= 10.0 * allowed &&
+               residual <= 1.2 * best;
+      }
+
+    private:
+      const double allowed;
+      double       best     = std::numeric_limits<double>::infinity();
+      unsigned int n_in_row = 0; ///< iterations without progress
+    };
+
+
+
     /// Newton's method with the consistent tangent; the correction is halved
     /// until it reduces the residual.
     template <int dim>
@@ -47,6 +105,7 @@ namespace Riedel::Equilibrium
         LinearAlgebra::Vector r     = balance.vector();
         LinearAlgebra::Vector delta = balance.vector();
         Outcome               outcome;
+        Stalling              stalling(parameters.residual);
 
         outcome.residual = balance.residual(du, r);
         while (true)
@@ -59,6 +118,11 @@ namespace Riedel::Equilibrium
             if (outcome.residual.relative() <= parameters.residual)
               {
                 outcome.converged = true;
+                return outcome;
+              }
+            if (stalling.is_seen_at(outcome.residual.relative()))
+              {
+                outcome.converged = outcome.stalled = true;
                 return outcome;
               }
             if (outcome.iterations == parameters.most_iterations)
@@ -81,30 +145,6 @@ namespace Riedel::Equilibrium
       }
 
     private:
-      /// Line search: the largest of the fractions 1, 1/2, ... of the
-      /// correction that reduces the residual; the last one if none does.
-      static Residual
-      search_along(Balance<dim>                &balance,
-                   const Residual              &before,
-                   const LinearAlgebra::Vector &delta,
-                   LinearAlgebra::Vector       &du,
-                   LinearAlgebra::Vector       &r)
-      {
-        const LinearAlgebra::Vector from = du;
-        Residual                    residual;
-        for (double fraction = 1.0; fraction > 0.05; fraction *= 0.5)
-          {
-            du = from;
-            du.add(fraction, delta);
-            residual = balance.residual(du, r);
-            if (!residual.refused &&
-                residual.relative() <
-                  (1.0 - 0.1 * fraction) * before.relative())
-              break;
-          }
-        return residual;
-      }
-
       const SolverParameters parameters;
     };
 
@@ -155,10 +195,16 @@ namespace Riedel::Equilibrium
       Outcome
       iterate(Balance<dim> &balance, LinearAlgebra::Vector &du)
       {
-        LinearAlgebra::Vector r     = balance.vector();
-        LinearAlgebra::Vector delta = balance.vector();
+        // A step for which so many factors were too slow is left to Newton's
+        // method.
+        constexpr unsigned int enough_factors = 3;
+
+        LinearAlgebra::Vector r      = balance.vector();
+        LinearAlgebra::Vector delta  = balance.vector();
+        LinearAlgebra::Vector target = balance.vector();
         Outcome               outcome;
-        unsigned int          with_this_factor = 0;
+        Stalling              stalling(parameters.residual);
+        unsigned int          with_this_factor = 0, n_factors = 0;
 
         acceleration.interrupt();
         outcome.residual = balance.residual(du, r);
@@ -179,6 +225,12 @@ namespace Riedel::Equilibrium
                   outcome.iterations > 1.5 * parameters.target_iterations;
                 return outcome;
               }
+            if (n_factors >= enough_factors && stalling.is_seen_at(now))
+              {
+                outcome.converged = outcome.stalled = true;
+                factor_is_stale                     = true;
+                return outcome;
+              }
             if (outcome.iterations == parameters.most_iterations)
               {
                 outcome.failure = no_balance(outcome.iterations,
@@ -191,7 +243,8 @@ namespace Riedel::Equilibrium
             const bool is_slow =
               with_this_factor >= parameters.refactor_after ||
               (with_this_factor >= 3 &&
-               further_iterations(before, now) > parameters.patience);
+               further_iterations(before, now) > parameters.patience) ||
+              (n_factors >= enough_factors && with_this_factor > 0);
             if (factor_is_stale || is_slow || !balance.has_factors())
               {
                 outcome.residual = balance.linearise(du, r);
@@ -200,12 +253,25 @@ namespace Riedel::Equilibrium
                 acceleration.clear();
                 factor_is_stale  = false;
                 with_this_factor = 0;
+                ++n_factors;
               }
 
             balance.correction(r, delta);
-            acceleration.advance(du, delta);
-            before           = now;
-            outcome.residual = balance.residual(du, r);
+            before = now;
+            if (with_this_factor == 0)
+              {
+                // A full correction may lead far away where points begin to
+                // yield or leave the floor.
+                target = du;
+                acceleration.advance(target, delta);
+                outcome.residual =
+                  search_along(balance, outcome.residual, delta, du, r);
+              }
+            else
+              {
+                acceleration.advance(du, delta);
+                outcome.residual = balance.residual(du, r);
+              }
             ++outcome.iterations;
             ++with_this_factor;
           }

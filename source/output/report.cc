@@ -111,6 +111,7 @@ namespace Riedel::Output
   summary(const StepRecord<dim>                           &record,
           const std::size_t                                floored,
           const std::size_t                                clamped,
+          const unsigned int                               stalled,
           const typename Equilibrium::Assembly<dim>::Cost &law_cost,
           const Timer                                     &timer,
           const double                                     wall_seconds,
@@ -137,6 +138,10 @@ namespace Riedel::Output
                    "its density was clamped.\n",
                    floored,
                    clamped);
+    if (stalled > 0)
+      text += format("%u steps were taken at up to 10 times the allowed "
+                     "residual, where the iteration stalled.\n",
+                     stalled);
     text += format("%llu residual sweeps, %llu factorisations, %g %% error of "
                    "the energy balance.\n",
                    static_cast<unsigned long long>(record.sweeps),
@@ -198,6 +203,7 @@ namespace Riedel::Output
   summary(const StepRecord<2> &,
           const std::size_t,
           const std::size_t,
+          const unsigned int,
           const Equilibrium::Assembly<2>::Cost &,
           const Timer &,
           const double,

@@ -12,7 +12,7 @@ namespace Riedel::Analysis
    * of bands reads it. Collects all ranks' parts on rank 0; empty on the
    * others. Every cell with points becomes 2 n^2 triangles, n the degree of the
    * element. @p solution: displacements and rotations at relevant dofs, by
-   * local number; of moving points Points::nodal_means(): their grid is not
+   * local number; of moving points Points::nodal_values(): their grid is not
    * deformed.
    */
   DeformedField

@@ -12,7 +12,9 @@ namespace Riedel::Equilibrium
   /// How the solution of a step ended.
   struct Outcome
   {
-    bool         converged  = false;
+    bool converged = false;
+    /// taken although the residual has stopped a little above the allowed one
+    bool         stalled    = false;
     unsigned int iterations = 0;
     Residual     residual;
     std::string  failure; ///< a sentence for people, if not converged

@@ -350,22 +350,34 @@ namespace Riedel::Material
       const double strain         = loading_values.length;
       const double stored_strain  = substep_strain;
 
-      Number     volume       = Number(initial_volume);
-      bool       on_floor     = false;
-      const auto put_on_floor = [&](const Number &void_ratio) {
-        y              = floor_stress(void_ratio);
-        on_floor       = true;
-        report.floored = true;
+      Number volume   = Number(initial_volume);
+      bool   on_floor = false;
+      Stress rate_begin{};
+
+      // A point that starts on the floor, or falls on it, goes the rest of the
+      // step at a constant rate and is returned to the floor at its end: the
+      // stress is then a continuous function of the strain, without which
+      // there may be no balance.
+      const auto go_straight = [&](const double rest) {
+        const double steepest = std::max(steepest_on_floor(), steepness(y));
+        for (unsigned int i = 0; i < y.size(); ++i)
+          y[i] += rest * rate_begin[i];
+        on_floor       = return_to_floor(y, final_void_ratio, steepest);
+        report.floored = report.floored || on_floor;
+        ++report.substeps;
       };
 
       const double initial_void_ratio = initial_volume - 1.;
-      if (mean_pressure(y) <
-            controls.smallest_pressure(initial_void_ratio) * (1. - 1e-9) ||
+      if (mean_pressure(y) < controls.smallest_pressure(initial_void_ratio) *
+                               (1. - floor_tolerance) ||
           !is_compressive(y))
-        put_on_floor(volume - 1.);
+        {
+          return_to_floor(y, Number(initial_void_ratio), steepest_on_floor());
+          report.floored = true;
+        }
+      const bool starts_on_floor = is_on_floor(y, initial_void_ratio);
 
       HypoplasticSubstep<micropolar, Number, axis_3> substep;
-      Stress                                         rate_begin{};
       HypoplasticFlags                               flags_begin;
       bool                                           rate_begin_known = false;
       bool                                           rejected         = false;
@@ -389,14 +401,10 @@ namespace Riedel::Material
               rate_begin_known = true;
             }
 
-          // A point on the floor that is being unloaded stays there. The
-          // direction of a step is constant, so that is true for all of it.
-          if (mean_pressure(rate_begin) <= 0. &&
-              is_on_floor(y, Continuum::value_of(volume) - 1.))
+          if (starts_on_floor)
             {
-              put_on_floor(final_void_ratio);
               report.flags.merge(flags_begin);
-              ++report.substeps;
+              go_straight(1.);
               break;
             }
 
@@ -418,9 +426,9 @@ namespace Riedel::Material
             }
           if (!compressive)
             {
-              put_on_floor(volume_end - 1.);
-              rate_begin_known = false;
-              substeps.accept(h);
+              report.flags.merge(flags_begin);
+              go_straight(1. - t);
+              break;
             }
           else
             {
@@ -436,13 +444,15 @@ namespace Riedel::Material
                   continue;
                 }
 
-              y        = substep.end;
-              on_floor = false;
+              y = substep.end;
               report.flags.merge(flags_begin);
               report.flags.merge(substep.flags);
               if (mean_pressure(y) < controls.smallest_pressure(
                                        Continuum::value_of(volume_end) - 1.))
-                put_on_floor(volume_end - 1.);
+                {
+                  go_straight(1. - (t + h));
+                  break;
+                }
 
               // the last stage is the first of the next substep; in tangent
               // mode it was computed without derivatives
@@ -451,7 +461,7 @@ namespace Riedel::Material
                 {
                   rate_begin       = substep.rate_end;
                   flags_begin      = substep.flags_end;
-                  rate_begin_known = !on_floor;
+                  rate_begin_known = true;
                 }
 
               double wanted = 1.;
@@ -483,9 +493,9 @@ namespace Riedel::Material
 
     /**
      * integrate() for several points at once, in the usual case: one substep
-     * spans the step, as the point believed from the start, and the floor is
-     * not touched. Returns for which points that is so; what it leaves of the
-     * others means nothing.
+     * spans the step, as the point believed from the start, which is not on the
+     * floor and does not come to it. Returns for which points that is so; what
+     * it leaves of the others means nothing.
      */
     Condition
     integrate_at_once(Stress                     &y,
@@ -501,8 +511,8 @@ namespace Riedel::Material
 
       Condition usual =
         substep_strain >= strain && is_compressive(y) &&
-        mean_pressure(y) >=
-          controls.smallest_pressure(initial_void_ratio) * (1. - 1e-9);
+        mean_pressure(y) > controls.smallest_pressure(initial_void_ratio) *
+                             (1. + floor_tolerance);
       if (!Continuum::any(usual))
         return usual;
 
@@ -513,9 +523,6 @@ namespace Riedel::Material
                                                      loading.at(0.),
                                                      loading.length,
                                                      flags);
-      usual = usual && !(mean_pressure(rate_begin) <= 0. &&
-                         is_on_floor(y, initial_void_ratio));
-
       HypoplasticSubstep<micropolar, Number, axis_3> substep;
       const std::array<Number, 3> volumes = stage_volumes(initial_volume, 1.);
       const Condition             compressive = substep.attempt(constants,
@@ -549,6 +556,9 @@ namespace Riedel::Material
     }
 
   private:
+    /// Relative distance from the floor that counts as none.
+    static constexpr double floor_tolerance = 1e-9;
+
     /// 1 + e at 1/2, 3/4 and the end of a substep, with one exponential
     std::array<Number, 3>
     stage_volumes(const Number &begin, const double length) const
@@ -560,22 +570,75 @@ namespace Riedel::Material
       return {{half, half * growth, half * growth_half}};
     }
 
-    /// The isotropic stress without couple stress on the floor.
-    Stress
-    floor_stress(const Number &void_ratio) const
+    /// |deviator and couple stress| / mean pressure of the steepest critical
+    /// state, 3/c_1; there the principal stresses are still compressive.
+    double
+    steepest_on_floor() const
     {
-      Stress       y{};
-      const Number p = controls.smallest_pressure(void_ratio);
+      return 3. / constants.c_1;
+    }
+
+    /// |deviator and couple stress| / mean pressure, but no more than what
+    /// keeps the principal stresses compressive; 0 without pressure.
+    static double
+    steepness(const Stress &y)
+    {
+      constexpr double most     = 1.2; // sqrt(3/2) is the limit
+      const double     pressure = mean_pressure(y);
+      double           square   = 0.;
+      for (unsigned int i = 0; i < y.size(); ++i)
+        square +=
+          std::pow(Continuum::value_of(y[i]) + (i < 3 ? pressure : 0.), 2);
+      return pressure > 0. ? std::min(most, std::sqrt(square) / pressure) : 0.;
+    }
+
+    /**
+     * Returns stresses below the floor to it: the mean pressure becomes that of
+     * the floor, the other parts shrink with the pressure that was there and
+     * vanish with it. Above and below, these parts are cut to @p steepest times
+     * the mean pressure. True if the pressure was below the floor.
+     */
+    bool
+    return_to_floor(Stress       &y,
+                    const Number &void_ratio,
+                    const double  steepest) const
+    {
+      using std::sqrt;
+      const Number pressure = (y[0] + y[1] + y[2]) * (-1. / 3.);
+      const Number least    = controls.smallest_pressure(void_ratio);
+      const bool   is_below =
+        Continuum::value_of(pressure) < Continuum::value_of(least);
+
+      Number share(1.);
+      if (is_below)
+        share =
+          Continuum::value_of(pressure) > 0. ? pressure / least : Number(0.);
+      const Number kept   = is_below ? least : pressure;
+      Number       square = Number(0.);
+      for (unsigned int i = 0; i < y.size(); ++i)
+        {
+          if (i < 3)
+            y[i] += pressure;
+          y[i] = y[i] * share;
+          square += y[i] * y[i];
+        }
+      const Number limit = steepest * kept;
+      if (Continuum::value_of(square) > std::pow(Continuum::value_of(limit), 2))
+        {
+          const Number shrink = limit / sqrt(square);
+          for (unsigned int i = 0; i < y.size(); ++i)
+            y[i] = y[i] * shrink;
+        }
       for (unsigned int i = 0; i < 3; ++i)
-        y[i] = -p;
-      return y;
+        y[i] = y[i] - kept;
+      return is_below;
     }
 
     Condition
     is_on_floor(const Stress &y, const Value &void_ratio) const
     {
       return mean_pressure(y) <=
-             controls.smallest_pressure(void_ratio) * (1. + 1e-9);
+             controls.smallest_pressure(void_ratio) * (1. + floor_tolerance);
     }
 
     /// Adds f_s (a_1^2 d^c + I tr d^c / 9) and f_s a_1^2 k d_50 at the

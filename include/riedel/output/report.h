@@ -35,6 +35,7 @@ namespace Riedel::Output
   summary(const StepRecord<dim>                           &record,
           const std::size_t                                floored,
           const std::size_t                                clamped,
+          const unsigned int                               stalled,
           const typename Equilibrium::Assembly<dim>::Cost &law_cost,
           const Timer                                     &timer,
           const double                                     wall_seconds,
