@@ -3,6 +3,8 @@
 #include <riedel/continuum/step_kinematics.h>
 #include <riedel/element_test/element_test.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,22 +37,23 @@ namespace Riedel::ElementTest
                            const Material::Law<2> &law)
     : parameters(parameters)
     , law(law)
+    , stress_place(law.layout().find("stress"))
   {}
 
 
 
   Material::Report
-  ElementTest::respond(const std::vector<double> &increments,
-                       std::vector<double>       &trial,
-                       std::vector<double>       &stresses,
-                       std::vector<double>       *tangent) const
+  ElementTest::respond(const Motion &motion, std::vector<double> &trial) const
   {
-    const Material::Batch  batch{1,
-                                increments.data(),
-                                results.back().state.data(),
-                                trial.data(),
-                                stresses.data(),
-                                tangent == nullptr ? nullptr : tangent->data()};
+    std::vector<double> stresses(law.n_generalised());
+    Material::Batch     batch{1,
+                          motion.increments.data(),
+                          results.back().state.data(),
+                          trial.data(),
+                          stresses.data(),
+                          nullptr};
+    if (motion.axis_3_strain)
+      batch.axis_3_strains = &*motion.axis_3_strain;
     const Material::Report report = law.respond(batch);
     if (report.refused > 0)
       throw ComputationError("The element test stopped in step " +
@@ -62,78 +65,205 @@ namespace Riedel::ElementTest
 
 
   void
-  ElementTest::advance(const std::vector<double> &increments)
+  ElementTest::evaluate(Row &row) const
+  {
+    const double *stress   = row.state.data() + stress_place;
+    row.mean_pressure      = -(stress[0] + stress[1] + stress[2]) / 3.;
+    const double shear     = .5 * (stress[3] + stress[4]);
+    double       deviators = 2. * shear * shear;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const double deviator = stress[i] + row.mean_pressure;
+        deviators += deviator * deviator;
+      }
+    row.deviator           = std::sqrt(1.5 * deviators);
+    row.mobilised_friction = friction_angle(stress);
+    if (parameters.is_undrained())
+      row.excess_pore_pressure = stress[1] + parameters.vertical_pressure;
+  }
+
+
+
+  void
+  ElementTest::advance(const Motion &motion)
   {
     Row row;
-    row.step  = results.back().step + 1;
-    row.state = results.back().state;
-    std::vector<double>    stresses(law.n_generalised());
-    const Material::Report report =
-      respond(increments, row.state, stresses, nullptr);
+    row.step                      = results.back().step + 1;
+    row.state                     = results.back().state;
+    const Material::Report report = respond(motion, row.state);
 
-    double strain_11 = increments[Components::gradient(0, 0)];
-    double strain_22 = increments[Components::gradient(1, 1)];
+    const std::vector<double> &H         = motion.increments;
+    double                     strain_11 = H[Components::gradient(0, 0)];
+    double                     strain_22 = H[Components::gradient(1, 1)];
+    double                     shear =
+      H[Components::gradient(0, 1)] + H[Components::gradient(1, 0)];
     if (!law.is_geometrically_linear())
       {
-        const Continuum::StepKinematics<double> kinematics(increments.data());
+        const Continuum::StepKinematics<double> kinematics(H.data());
         if (kinematics.valid)
           {
             strain_11 = kinematics.log_f.mean + kinematics.log_f.difference;
             strain_22 = kinematics.log_f.mean - kinematics.log_f.difference;
+            shear     = 2. * kinematics.log_f.shear;
           }
       }
     row.strain_11 = results.back().strain_11 + strain_11;
     row.strain_22 = results.back().strain_22 + strain_22;
-    row.mobilised_friction =
-      friction_angle(row.state.data() + law.layout().find("stress"));
-    row.substeps = report.substeps;
-    row.floored  = report.floored > 0;
-    row.clamped  = report.clamped > 0;
+    row.strain_33 =
+      results.back().strain_33 + motion.axis_3_strain.value_or(0.);
+    row.shear_strain = results.back().shear_strain + shear;
+    row.substeps     = report.substeps;
+    row.floored      = report.floored > 0;
+    row.clamped      = report.clamped > 0;
+    evaluate(row);
     results.push_back(row);
   }
 
 
 
-  double
-  ElementTest::lateral_increment(std::vector<double> increments,
-                                 const double        guess) const
+  Motion
+  ElementTest::motion(const double strain_11,
+                      const double strain_22,
+                      const double strain_33,
+                      const double shear,
+                      const double theta) const
   {
-    const unsigned int  place   = Components::gradient(1, 1);
-    const unsigned int  n       = law.n_generalised();
-    const double        target  = -parameters.vertical_pressure;
-    const double        stretch = law.is_geometrically_linear() ?
-                                    1. :
-                                    1. + increments[Components::gradient(0, 0)];
-    std::vector<double> trial(results.back().state.size());
-    std::vector<double> stresses(n);
-    std::vector<double> tangent(n * n);
-
-    // P_22 = sigma_22 f_11 while f_21 = 0
-    increments[place] = guess;
-    double best       = std::numeric_limits<double>::infinity();
-    double result     = guess;
-    for (unsigned int iteration = 0; iteration < 50; ++iteration)
+    Motion result;
+    result.increments.assign(law.n_generalised(), 0.);
+    std::vector<double> &H = result.increments;
+    if (law.is_geometrically_linear())
       {
-        respond(increments, trial, stresses, &tangent);
-        const double residual = stresses[place] / stretch - target;
-        // to rounding: go on until it does not get better any more
+        H[Components::gradient(0, 0)] = strain_11;
+        H[Components::gradient(1, 1)] = strain_22;
+        H[Components::gradient(0, 1)] = shear;
+      }
+    else
+      {
+        // f = exp(L dt) of an upper triangle: f_12 is L_12 dt times the mean of
+        // exp over the strains
+        H[Components::gradient(0, 0)] = std::expm1(strain_11);
+        H[Components::gradient(1, 1)] = std::expm1(strain_22);
+        const double difference       = strain_22 - strain_11;
+        const double mean =
+          difference == 0. ?
+            std::exp(strain_11) :
+            std::exp(strain_11) * std::expm1(difference) / difference;
+        H[Components::gradient(0, 1)] = shear * mean;
+      }
+    if (law.is_micropolar())
+      H[Components::spin()] = theta;
+    if (strain_33 != 0.)
+      result.axis_3_strain = strain_33;
+    return result;
+  }
+
+
+
+  Motion
+  ElementTest::motion_of_step(const double lateral) const
+  {
+    const double strain = -parameters.axial_strain / parameters.steps;
+    switch (parameters.test)
+      {
+        case Test::biaxial:
+          return motion(strain, lateral, 0.);
+        case Test::oedometer:
+          return motion(0., strain, 0.);
+        case Test::isotropic:
+          return motion(strain, strain, strain);
+        case Test::triaxial_drained:
+          // the law is isotropic: equal strains give equal stresses
+          return motion(strain, lateral, lateral);
+        case Test::triaxial_undrained:
+          return motion(strain, -.5 * strain, -.5 * strain);
+        case Test::simple_shear:
+          {
+            const double shear = parameters.shear_strain / parameters.steps;
+            // the spin w_21 = (L_21 - L_12)/2
+            const double theta = parameters.turns_with_spin ?
+                                   -.5 * shear :
+                                   parameters.micro_rotation / parameters.steps;
+            return motion(0.,
+                          parameters.shear_keeps_volume ? 0. : lateral,
+                          0.,
+                          shear,
+                          theta);
+          }
+        case Test::path:
+          break;
+      }
+    Assert(false, dealii::ExcInternalError());
+    return {};
+  }
+
+
+
+  double
+  ElementTest::stress_22(const Motion &motion) const
+  {
+    std::vector<double> trial(results.back().state.size());
+    respond(motion, trial);
+    return trial[stress_place + 1];
+  }
+
+
+
+  double
+  ElementTest::lateral_strain(const double guess) const
+  {
+    const double target = -parameters.vertical_pressure;
+    const double size   = std::abs(parameters.test == Test::simple_shear ?
+                                   parameters.shear_strain :
+                                   parameters.axial_strain) /
+                        parameters.steps;
+    // rounding of the stresses, and of what is taken for kept
+    const double *stress = results.back().state.data() + stress_place;
+    const double  scale =
+      std::max({std::abs(stress[0]), std::abs(stress[1]), std::abs(stress[2])});
+    const double exact      = 1e-13 * scale + 1e-12;
+    const double acceptable = 1e-6 * scale + 1e-6;
+
+    // The secant through the last two points. sigma_22 jumps slightly where
+    // the number of substeps changes: where the secant leaves the interval in
+    // which the residual changes its sign, halve the interval.
+    const auto residual_at = [&](const double strain) {
+      return stress_22(motion_of_step(strain)) - target;
+    };
+    double strain = guess, residual = residual_at(guess);
+    double best_strain = strain, best = std::abs(residual);
+    double below = -std::numeric_limits<double>::infinity();
+    double above = std::numeric_limits<double>::infinity();
+    double next  = strain - std::copysign(1e-3 * size, residual);
+    for (unsigned int iteration = 0; iteration < 100 && best > exact;
+         ++iteration)
+      {
+        (residual < 0. ? below : above) = strain;
+        const bool bracketed = std::isfinite(below) && std::isfinite(above);
+        if (bracketed &&
+            !(next > std::min(below, above) && next < std::max(below, above)))
+          next = .5 * (below + above);
+        if (next == strain)
+          break;
+
+        const double previous = residual;
+        const double step     = next - strain;
+        strain                = next;
+        residual              = residual_at(strain);
         if (std::abs(residual) < best)
           {
-            best   = std::abs(residual);
-            result = increments[place];
+            best        = std::abs(residual);
+            best_strain = strain;
           }
-        else if (best < 1e-9 * std::abs(target) + 1e-9)
-          return result;
-        if (best < 1e-14 * std::abs(target))
-          return result;
-        const double slope = tangent[place * n + place] / stretch;
-        const double limit =
-          10. * std::abs(increments[Components::gradient(0, 0)]);
-        const double step = -residual / slope;
-        increments[place] += std::min(limit, std::max(-limit, step));
+        else if (best < 1e-12 * scale)
+          break; // rounding
+        const double slope = (residual - previous) / step;
+        // extension makes the stress less compressive
+        const double wanted =
+          slope > 0. ? -residual / slope : std::copysign(size, -residual);
+        next = strain + std::clamp(wanted, -10. * size, 10. * size);
       }
-    if (best < 1e-6 * std::abs(target) + 1e-6)
-      return result;
+    if (best <= acceptable)
+      return best_strain;
     throw ComputationError(
       "The element test stopped in step " +
       std::to_string(results.back().step + 1) +
@@ -146,6 +276,12 @@ namespace Riedel::ElementTest
   const std::vector<Row> &
   ElementTest::run()
   {
+    Problems problems;
+    parameters.check_law(law, problems);
+    if (!problems.errors.empty())
+      throw InputError(problems.errors[0].path + ": " +
+                       problems.errors[0].message);
+
     Material::InitialState initial;
     initial.stress[0][0] = -parameters.K0 * parameters.vertical_pressure;
     initial.stress[1][1] = -parameters.vertical_pressure;
@@ -156,54 +292,34 @@ namespace Riedel::ElementTest
     Row &start = results.front();
     start.state.resize(law.layout().size());
     law.initialise(initial, start.state.data());
-    start.mobilised_friction =
-      friction_angle(start.state.data() + law.layout().find("stress"));
+    evaluate(start);
 
-    std::vector<double> increments(law.n_generalised(), 0.);
     if (parameters.test == Test::path)
       {
         for (const PathRow &row : parameters.path_rows())
           {
-            for (unsigned int i = increments.size(); i < 7; ++i)
-              if (row.increments[i] != 0.)
-                throw ComputationError("The path rotates the grains, but the "
-                                       "law `" +
-                                       law.name() + "' is not micropolar.");
-            std::copy(row.increments.begin(),
-                      row.increments.begin() + increments.size(),
-                      increments.begin());
+            Motion motion;
+            motion.increments.assign(row.increments.begin(),
+                                     row.increments.begin() +
+                                       law.n_generalised());
+            if (row.axis_3_strain != 0.)
+              motion.axis_3_strain = row.axis_3_strain;
             for (unsigned int r = 0; r < row.repeats; ++r)
-              advance(increments);
+              advance(motion);
           }
         return results;
       }
 
-    // equal logarithmic strains; a small-strain law takes them as they are
-    const double strain = -parameters.axial_strain / parameters.steps;
-    const double shortening =
-      law.is_geometrically_linear() ? strain : std::expm1(strain);
-    const unsigned int axis_1 = Components::gradient(0, 0);
-    const unsigned int axis_2 = Components::gradient(1, 1);
+    const bool keeps_stress =
+      parameters.test == Test::biaxial ||
+      parameters.test == Test::triaxial_drained ||
+      (parameters.test == Test::simple_shear && !parameters.shear_keeps_volume);
+    double lateral = 0.;
     for (unsigned int s = 0; s < parameters.steps; ++s)
       {
-        switch (parameters.test)
-          {
-            case Test::biaxial:
-              increments[axis_1] = shortening;
-              increments[axis_2] =
-                lateral_increment(increments, increments[axis_2]);
-              break;
-            case Test::oedometer:
-              increments[axis_2] = shortening;
-              break;
-            case Test::isotropic:
-              increments[axis_1] = shortening;
-              increments[axis_2] = shortening;
-              break;
-            case Test::path:
-              break;
-          }
-        advance(increments);
+        if (keeps_stress)
+          lateral = lateral_strain(lateral);
+        advance(motion_of_step(lateral));
       }
     return results;
   }
@@ -213,7 +329,7 @@ namespace Riedel::ElementTest
   void
   ElementTest::write_csv(std::ostream &out) const
   {
-    out << "step,strain 11,strain 22";
+    out << "step,strain 11,strain 22,strain 33,shear strain,volumetric strain";
     for (const Material::StateLayout::Slot &slot : law.layout().slots())
       for (const std::string &component : slot.components)
         {
@@ -223,14 +339,22 @@ namespace Riedel::ElementTest
           if (slot.unit != "1")
             out << " [" << slot.unit << ']';
         }
+    out << ",mean pressure [Pa],deviator [Pa]";
+    if (parameters.is_undrained())
+      out << ",excess pore pressure [Pa]";
     out << ",mobilised friction angle [deg],substeps,floored,clamped\n";
 
     const auto precision = out.precision(12);
     for (const Row &row : results)
       {
-        out << row.step << ',' << row.strain_11 << ',' << row.strain_22;
+        out << row.step << ',' << row.strain_11 << ',' << row.strain_22 << ','
+            << row.strain_33 << ',' << row.shear_strain << ','
+            << row.volumetric_strain();
         for (const double value : row.state)
           out << ',' << value;
+        out << ',' << row.mean_pressure << ',' << row.deviator;
+        if (parameters.is_undrained())
+          out << ',' << row.excess_pore_pressure;
         out << ',' << row.mobilised_friction << ',' << row.substeps << ','
             << row.floored << ',' << row.clamped << '\n';
       }

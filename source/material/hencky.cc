@@ -118,6 +118,7 @@ namespace Riedel::Material
   template <typename Number>
   Report::Refusal
   Hencky::respond_point(const double *increment,
+                        const double  axis_3_strain,
                         const double *committed,
                         double       *trial,
                         double       *stresses,
@@ -169,11 +170,12 @@ namespace Riedel::Material
                                      ratio * b_12,
                                      Number(0.)};
 
-    const Number                trace     = 2. * strain.mean + strain_n[2];
+    const double                strain_33 = strain_n[2] + axis_3_strain;
+    const Number                trace     = 2. * strain.mean + strain_33;
     const Number                inverse_J = exp(-trace);
     const Number                isotropic = (lame_modulus * inverse_J) * trace;
     const Number                two_mu    = (2. * shear_modulus) * inverse_J;
-    const Number                sigma_33  = isotropic + two_mu * strain_n[2];
+    const Number                sigma_33  = isotropic + two_mu * strain_33;
     const std::array<Number, n> sigma =
       PlaneTensor<Number>{isotropic + two_mu * strain.mean,
                           two_mu * strain.difference,
@@ -196,7 +198,7 @@ namespace Riedel::Material
     trial[4]                = value_of(sigma[2]);
     trial[strain_place]     = value_of(strain.mean + strain.difference);
     trial[strain_place + 1] = value_of(strain.mean - strain.difference);
-    trial[strain_place + 2] = strain_n[2];
+    trial[strain_place + 2] = strain_33;
     trial[strain_place + 3] = value_of(strain.shear);
 
     for (unsigned int a = 0; a < n; ++a)
@@ -219,14 +221,13 @@ namespace Riedel::Material
     Report report;
     for (unsigned int p = 0; p < batch.n_points; ++p)
       {
-        const Report::Refusal refusal =
-          respond_point<Number>(batch.increments + p * n,
-                                batch.committed + p * n_state,
-                                batch.trial + p * n_state,
-                                batch.stresses + p * n,
-                                batch.tangents == nullptr ?
-                                  nullptr :
-                                  batch.tangents + p * n * n);
+        const Report::Refusal refusal = respond_point<Number>(
+          batch.increments + p * n,
+          batch.axis_3_strains == nullptr ? 0. : batch.axis_3_strains[p],
+          batch.committed + p * n_state,
+          batch.trial + p * n_state,
+          batch.stresses + p * n,
+          batch.tangents == nullptr ? nullptr : batch.tangents + p * n * n);
         if (refusal == Report::Refusal::none)
           {
             ++report.substeps;

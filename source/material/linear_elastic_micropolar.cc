@@ -154,6 +154,7 @@ namespace Riedel::Material
   template <typename Number>
   Report::Refusal
   LinearElastic<micropolar>::respond_point(const double *increment,
+                                           const double  axis_3_strain,
                                            const double *committed,
                                            double       *trial,
                                            double       *stresses,
@@ -176,6 +177,10 @@ namespace Riedel::Material
     if constexpr (micropolar)
       m = {
         {Number(committed[couple_place]), Number(committed[couple_place + 1])}};
+
+    // isotropic in the plane, so that no rotation changes it
+    sigma.mean += lame_modulus * axis_3_strain;
+    sigma_33 += (lame_modulus + 2. * shear_modulus) * axis_3_strain;
 
     // The elastic relation between a strain increment and a stress increment.
     const auto add_increment = [&](const PlaneTensor<Number>   &strain,
@@ -303,14 +308,13 @@ namespace Riedel::Material
     Report                 report;
     for (unsigned int p = 0; p < batch.n_points; ++p)
       {
-        const Report::Refusal refusal =
-          respond_point<Number>(batch.increments + p * n,
-                                batch.committed + p * n_state,
-                                batch.trial + p * n_state,
-                                batch.stresses + p * n,
-                                batch.tangents == nullptr ?
-                                  nullptr :
-                                  batch.tangents + p * n * n);
+        const Report::Refusal refusal = respond_point<Number>(
+          batch.increments + p * n,
+          batch.axis_3_strains == nullptr ? 0. : batch.axis_3_strains[p],
+          batch.committed + p * n_state,
+          batch.trial + p * n_state,
+          batch.stresses + p * n,
+          batch.tangents == nullptr ? nullptr : batch.tangents + p * n * n);
         if (refusal == Report::Refusal::none)
           {
             ++report.substeps;

@@ -153,6 +153,7 @@ namespace Riedel::Scene
                        "There is no material \"" + test.material +
                          "\"; the one of this file is \"" + materials[0].name +
                          "\".");
+      test.check_law(*materials[0].law, problems);
       materials[0].law->check_initial(initial_state(test.vertical_pressure,
                                                     test.K0,
                                                     test.void_ratio),

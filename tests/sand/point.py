@@ -5,7 +5,7 @@
 polar and with the classical law.
 
 The isotropic paths of compression.csv shorten all three axes: plane strain
-cannot follow them; the unit tests of the law do.
+cannot follow them; the element test does (element_tests.py).
 """
 
 import csv

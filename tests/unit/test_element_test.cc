@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/element_test/element_test.h>
+#include <riedel/material/linear_elastic_micropolar.h>
 
 #include <cmath>
 #include <cstdio>
@@ -9,6 +10,7 @@
 
 using namespace Riedel;
 using ElementTest::Parameters;
+using ElementTest::Row;
 using ElementTest::Test;
 
 namespace
@@ -114,11 +116,142 @@ TEST_CASE("an elastic point in the element test", "[unit][element_test]")
   CHECK(rows[4].state[0] ==
         Approx(-5. + 1000. * (lateral - .01) - 4000. * .01).epsilon(1e-10));
 
-  parameters.test       = Test::isotropic;
-  const auto &isotropic = test.run();
-  CHECK(isotropic.back().state[0] - -5. == Approx(6000. * -.01).epsilon(1e-10));
-  CHECK(isotropic.back().state[1] - -10. ==
-        Approx(6000. * -.01).epsilon(1e-10));
+  parameters.test         = Test::isotropic;
+  const auto  &isotropic  = test.run();
+  const double initial[3] = {-5., -10., -5.};
+  for (unsigned int i = 0; i < 3; ++i) // 3 lambda + 2 mu
+    CHECK(isotropic.back().state[i] - initial[i] ==
+          Approx(7000. * -.01).epsilon(1e-10));
+  CHECK(isotropic.back().strain_33 == Approx(-.01).epsilon(1e-13));
+  CHECK(isotropic.back().volumetric_strain() == Approx(-.03).epsilon(1e-13));
+  // of the initial stress
+  CHECK(isotropic.back().deviator == Approx(5.).epsilon(1e-10));
+
+  // Young's modulus mu (3 lambda + 2 mu)/(lambda + mu), Poisson's ratio 1/6
+  parameters.test      = Test::triaxial_drained;
+  parameters.K0        = 1.;
+  const Row    drained = test.run().back();
+  const double modulus = 2000. * 7000. / 3000.;
+  CHECK(drained.state[0] - -10. == Approx(modulus * -.01).epsilon(1e-10));
+  CHECK(drained.state[1] == Approx(-10.).epsilon(1e-10));
+  CHECK(drained.state[2] == Approx(-10.).epsilon(1e-10));
+  CHECK(drained.strain_22 == Approx(.01 / 6.).epsilon(1e-10));
+  CHECK(drained.strain_33 == Approx(drained.strain_22).epsilon(1e-12));
+
+  // constant volume: 2 mu times the strain
+  parameters.test     = Test::triaxial_undrained;
+  const Row undrained = test.run().back();
+  CHECK(undrained.state[0] == Approx(-10. - 40.).epsilon(1e-10));
+  CHECK(undrained.state[2] == Approx(-10. + 20.).epsilon(1e-10));
+  CHECK(undrained.mean_pressure == Approx(10.).epsilon(1e-10));
+  CHECK(undrained.deviator == Approx(60.).epsilon(1e-10));
+  CHECK(undrained.excess_pore_pressure == Approx(20.).epsilon(1e-10));
+}
+
+
+
+TEST_CASE("simple shear with given micro-rotations", "[unit][element_test]")
+{
+  const auto law = LawTools::make_law("linear elastic micropolar",
+                                      {{"Kinematics", "small strain"}});
+  Parameters parameters;
+  parameters.test         = Test::simple_shear;
+  parameters.shear_strain = .01;
+  parameters.steps        = 4;
+  ElementTest::ElementTest test(parameters, *law);
+  const Row                with_spin = test.run().back();
+  CHECK(with_spin.state[3] == Approx(2000. * .01).epsilon(1e-10));
+  CHECK(with_spin.state[4] == Approx(2000. * .01).epsilon(1e-10));
+  CHECK(with_spin.shear_strain == Approx(.01).epsilon(1e-13));
+
+  // the skew part is 2 mu_c times half of u_1,2 + 2 w
+  parameters.turns_with_spin = false;
+  parameters.micro_rotation  = .001;
+  const Row given            = test.run().back();
+  CHECK(given.state[3] == Approx(20. + 500. * .012).epsilon(1e-10));
+  CHECK(given.state[4] == Approx(20. - 500. * .012).epsilon(1e-10));
+}
+
+
+
+TEST_CASE("tests that a law cannot do are refused by name",
+          "[unit][element_test]")
+{
+  // the elastic law, as if it knew plane strain only
+  struct PlaneLaw : public Material::LinearElasticClassical
+  {
+    bool
+    can_stretch_axis_3() const override
+    {
+      return false;
+    }
+  };
+  const PlaneLaw law;
+  const auto     problems_of = [&](const std::string &settings) {
+    Problems         problems;
+    const Parameters parameters = parse(settings);
+    parameters.check(problems);
+    CHECK(problems.errors.empty());
+    parameters.check_law(law, problems);
+    return problems.errors;
+  };
+  for (const std::string possible :
+       {"set Test = biaxial",
+        "set Test = oedometer",
+        "set Test = simple shear",
+        "set Test = path\nset Increments = 1e-3 0 0 0 0 0 0 3 0"})
+    CHECK(problems_of(possible).empty());
+  for (const std::string impossible :
+       {"set Test = isotropic",
+        "set Test = triaxial drained",
+        "set Test = triaxial undrained",
+        "set Test = path\nset Increments = 1e-3 0 0 0 0 0 0 3 1e-3"})
+    {
+      INFO(impossible);
+      const auto errors = problems_of(impossible);
+      REQUIRE(errors.size() == 1);
+      CHECK(errors[0].message.find("\"linear elastic\" knows plane strain") !=
+            std::string::npos);
+    }
+  CHECK(problems_of("set Test = isotropic")[0].path == "Element test/Test");
+  const auto rotation =
+    problems_of("set Test = simple shear\nset Micro-rotation = 3");
+  REQUIRE(rotation.size() == 1);
+  CHECK(rotation[0].path == "Element test/Micro-rotation");
+
+  const Parameters         isotropic = parse("set Test = isotropic");
+  ElementTest::ElementTest test(isotropic, law);
+  CHECK_THROWS_AS(test.run(), InputError);
+}
+
+
+
+TEST_CASE("entries of the new tests are checked", "[unit][element_test]")
+{
+  const Parameters shear = parse("set Test = simple shear\n"
+                                 "set Shear strain = 0.2\n"
+                                 "set Simple shear keeps = volume\n"
+                                 "set Micro-rotation = -90");
+  CHECK(shear.shear_strain == .2);
+  CHECK(shear.shear_keeps_volume);
+  CHECK(shear.is_undrained());
+  CHECK_FALSE(shear.turns_with_spin);
+  CHECK(shear.micro_rotation == Approx(-2. * std::atan(1.)).epsilon(1e-15));
+
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+    {"set Test = simple shear\nset Shear strain = 0", "Shear strain"},
+    {"set Test = simple shear\nset Micro-rotation = spin", "Micro-rotation"},
+    {"set Test = biaxial\nset Micro-rotation = 3", "Micro-rotation"},
+    {"set Test = triaxial drained\nset K0 = 0.5", "K0"},
+    {"set Test = triaxial undrained\nset K0 = 0.5", "K0"}};
+  for (const auto &[settings, entry] : wrong)
+    {
+      INFO(settings);
+      Problems problems;
+      parse(settings).check(problems);
+      REQUIRE(problems.errors.size() == 1);
+      CHECK(problems.errors[0].path == "Element test/" + entry);
+    }
 }
 
 
@@ -139,10 +272,11 @@ TEST_CASE("rows of the element test as a file", "[unit][element_test]")
   std::string        line;
   std::getline(lines, line);
   CHECK(line ==
-        "step,strain 11,strain 22,stress 11 [Pa],stress 22 [Pa],stress 33 "
-        "[Pa],stress 12 [Pa],stress 21 [Pa],couple stress 1 [N/m],couple "
-        "stress 2 [N/m],void ratio,substep,mobilised friction angle "
-        "[deg],substeps,floored,clamped");
+        "step,strain 11,strain 22,strain 33,shear strain,volumetric strain,"
+        "stress 11 [Pa],stress 22 [Pa],stress 33 [Pa],stress 12 [Pa],stress 21 "
+        "[Pa],couple stress 1 [N/m],couple stress 2 [N/m],void ratio,substep,"
+        "mean pressure [Pa],deviator [Pa],mobilised friction angle [deg],"
+        "substeps,floored,clamped");
   const auto   columns = std::count(line.begin(), line.end(), ',');
   unsigned int n_rows  = 0;
   while (std::getline(lines, line))
@@ -156,7 +290,37 @@ TEST_CASE("rows of the element test as a file", "[unit][element_test]")
   // the classical law has no grains that rotate
   const auto               classical = LawTools::make_law("hypoplastic");
   ElementTest::ElementTest wrong(parameters, *classical);
-  CHECK_THROWS_AS(wrong.run(), ComputationError);
+  CHECK_THROWS_AS(wrong.run(), InputError);
+
+  // a column more where water would have pressure
+  parameters.test  = Test::triaxial_undrained;
+  parameters.steps = 2;
+  test.run();
+  std::ostringstream undrained;
+  test.write_csv(undrained);
+  CHECK(undrained.str().find(",deviator [Pa],excess pore pressure "
+                             "[Pa],mobilised") != std::string::npos);
+}
+
+
+
+TEST_CASE("a path with strains of axis 3", "[unit][element_test]")
+{
+  const auto law = LawTools::make_law("polar hypoplastic");
+  Parameters path =
+    parse("set Test = path\n"
+          "set Vertical pressure = 1e3\n"
+          "set Increments = -1e-5 0 0 -1e-5 0 0 0 100 -1e-5; 0 0 0 0 0 0 0 1");
+  REQUIRE(path.path_rows().size() == 2);
+  CHECK(path.path_rows()[0].axis_3_strain == -1e-5);
+  CHECK(path.path_rows()[0].repeats == 100);
+  CHECK(path.path_rows()[1].axis_3_strain == 0.);
+  ElementTest::ElementTest test(path, *law);
+  const Row                compressed = test.run().back();
+  CHECK(compressed.strain_33 == Approx(-1e-3).epsilon(1e-12));
+  // isotropic but for the difference of exp(e) - 1 and e
+  CHECK(compressed.state[2] == Approx(compressed.state[0]).epsilon(1e-4));
+  CHECK(compressed.state[0] == Approx(compressed.state[1]).epsilon(1e-12));
 }
 
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/element_test/element_test.h>
-#include <riedel/material/hypoplastic_rate.h>
 
 #include <cmath>
 
@@ -163,144 +162,191 @@ TEST_CASE("oedometric compression (compression.csv, D3)",
 
 
 
-// Isotropic and triaxial compression are not plane strain. They check the
-// scalar factors of the law, f_s, f_d and a_1, with the rate written out for
-// principal axes here.
-namespace
-{
-  struct PrincipalState
-  {
-    double s1, s2; // axial stress and the two equal lateral ones [Pa]
-    double e;
-  };
-
-  Material::HypoplasticConstants
-  karlsruhe()
-  {
-    Material::HypoplasticConstants constants;
-    constants.critical_friction_angle = std::atan(1.) * 4. / 6.;
-    constants.granular_hardness       = 190e6;
-    constants.minimum_void_ratio      = .51;
-    constants.critical_void_ratio     = .82;
-    constants.maximum_void_ratio      = 1.3;
-    constants.density_exponent        = .3;
-    constants.hardness_exponent       = .5;
-    constants.derive();
-    return constants;
-  }
-
-  PrincipalState
-  principal_rate(const PrincipalState &state, const double d1, const double d2)
-  {
-    const Material::HypoplasticConstants       constants = karlsruhe();
-    Material::HypoplasticFlags                 flags;
-    const double                               trace = state.s1 + 2. * state.s2;
-    const double                               h1    = state.s1 / trace;
-    const double                               h2    = state.s2 / trace;
-    const Material::HypoplasticFactors<double> factors(constants,
-                                                       trace,
-                                                       h2 - 1. / 3.,
-                                                       (h1 - 1. / 3.) *
-                                                         (h2 - 1. / 3.),
-                                                       state.e,
-                                                       flags);
-    const double r      = std::sqrt(d1 * d1 + 2. * d2 * d2);
-    const double inner  = h1 * d1 + 2. * h2 * d2;
-    const double a      = factors.a_1;
-    const auto   stress = [&](const double h, const double d) {
-      return factors.f_s *
-             (a * a * d + h * inner + factors.f_d * a * (2. * h - 1. / 3.) * r);
-    };
-    return {stress(h1, d1), stress(h2, d2), (1. + state.e) * (d1 + 2. * d2)};
-  }
-
-  template <typename Rate>
-  void
-  advance(PrincipalState &state, const double step, const Rate &rate)
-  {
-    const auto shifted = [&](const PrincipalState &k, const double h) {
-      return PrincipalState{state.s1 + h * k.s1,
-                            state.s2 + h * k.s2,
-                            state.e + h * k.e};
-    };
-    const PrincipalState k1 = rate(state);
-    const PrincipalState k2 = rate(shifted(k1, step / 2));
-    const PrincipalState k3 = rate(shifted(k2, step / 2));
-    const PrincipalState k4 = rate(shifted(k3, step));
-    state                   = PrincipalState{
-      state.s1 + step / 6 * (k1.s1 + 2 * k2.s1 + 2 * k3.s1 + k4.s1),
-      state.s2 + step / 6 * (k1.s2 + 2 * k2.s2 + 2 * k3.s2 + k4.s2),
-      state.e + step / 6 * (k1.e + 2 * k2.e + 2 * k3.e + k4.e)};
-  }
-} // namespace
-
-
-
 TEST_CASE("isotropic compression (compression.csv)",
           "[unit][hypoplastic][paths]")
 {
-  const LawTools::Table table("compression.csv");
-  unsigned int          compared = 0;
-  for (const double void_ratio : {.6, .75})
+  for (const std::string law_name : {"polar hypoplastic", "hypoplastic"})
     {
-      PrincipalState state{-1e3, -1e3, void_ratio};
-      double         strain = 0.;
-      for (unsigned int i = 0; i < table.rows.size(); ++i)
-        if (table.text(i, "test") == "iso" &&
-            table.number(i, "e0") == void_ratio)
-          {
-            const double end = table.number(i, "eps_vert");
-            for (unsigned int s = 0; s < 2000; ++s)
-              advance(state, (end - strain) / 2000, [](const auto &y) {
-                return principal_rate(y, -1., -1.);
-              });
-            strain = end;
-            // the first row of the file is good to 3e-7
-            CHECK(state.s1 ==
-                  Approx(table.number(i, "s_vert") * 1e3).epsilon(1e-6));
-            CHECK(state.e == Approx(table.number(i, "e")).epsilon(1e-7));
-            ++compared;
-          }
+      const auto            law = LawTools::make_law(law_name);
+      const unsigned int    e   = law->layout().find("void_ratio");
+      const LawTools::Table table("compression.csv");
+      unsigned int          compared = 0;
+      for (const double void_ratio : {.6, .75})
+        {
+          const auto rows =
+            run(*law, Test::isotropic, void_ratio, 1e3, .014, 2800);
+          for (unsigned int i = 0; i < table.rows.size(); ++i)
+            if (table.text(i, "test") == "iso" &&
+                table.number(i, "e0") == void_ratio)
+              {
+                const Row &row =
+                  rows.at(std::lround(table.number(i, "eps_vert") / 5e-6));
+                INFO(law_name << ", e0 " << void_ratio << ", eps "
+                              << table.number(i, "eps_vert"));
+                for (unsigned int axis = 0; axis < 3; ++axis)
+                  CHECK(row.state[axis] ==
+                        Approx(table.number(i, "s_vert") * 1e3).epsilon(1e-5));
+                CHECK(row.state[e] ==
+                      Approx(table.number(i, "e")).epsilon(1e-7));
+                CHECK(row.deviator < 1e-9 * row.mean_pressure);
+                ++compared;
+              }
+        }
+      CHECK(compared == 14);
     }
-  CHECK(compared == 14);
 }
 
 
 
-TEST_CASE("triaxial peaks and the critical friction angle (D3)",
+TEST_CASE("isotropic compression of the loosest packing is the law e_i(p)",
           "[unit][hypoplastic][paths]")
 {
-  const auto compress = [](const double void_ratio, const double strain) {
-    PrincipalState state{-100e3, -100e3, void_ratio};
-    double         peak = 0., at = 0., angle = 0.;
-    const double   step = strain / 20000;
-    for (unsigned int i = 0; i < 20000; ++i)
-      {
-        advance(state, step, [](const PrincipalState &y) {
-          // lateral stretching that keeps the lateral stress
-          double low = -1., high = 3.;
-          for (unsigned int b = 0; b < 60; ++b)
-            {
-              const double middle = .5 * (low + high);
-              (principal_rate(y, -1., middle).s2 < 0. ? low : high) = middle;
-            }
-          return principal_rate(y, -1., low);
-        });
-        angle = std::asin((state.s1 - state.s2) / (state.s1 + state.s2)) * 45. /
-                std::atan(1.);
-        if (angle > peak)
-          {
-            peak = angle;
-            at   = (i + 1) * step;
-          }
-      }
-    return std::array<double, 3>{{peak, at, angle}};
+  // eq. (22): e = e_i0 exp(-(3 p/h_s)^n) is a solution of the rate
+  const auto law = LawTools::make_law("polar hypoplastic");
+  const auto e_i = [](const double p) {
+    return 1.3 * std::exp(-std::sqrt(3. * p / 190e6));
   };
-  const auto dense = compress(.6, .05);
-  CHECK(dense[0] == Approx(44.01).margin(.006));
-  CHECK(dense[1] == Approx(.0258).margin(1e-4));
-  CHECK(compress(.65, .1)[0] == Approx(38.29).margin(.006));
-  CHECK(compress(.7, .1)[0] == Approx(34.47).margin(.006));
+  const auto rows      = run(*law, Test::isotropic, e_i(1e3), 1e3, .05, 5000);
+  const unsigned int e = law->layout().find("void_ratio");
+  CHECK(rows.back().mean_pressure > 500e3);
+  for (unsigned int i = 0; i < rows.size(); i += 500)
+    CHECK(rows[i].state[e] == Approx(e_i(rows[i].mean_pressure)).epsilon(1e-6));
+}
+
+
+
+TEST_CASE("drained triaxial peaks (D3)", "[unit][hypoplastic][paths]")
+{
+  const auto law  = LawTools::make_law("polar hypoplastic");
+  const auto peak = [&](const double void_ratio) {
+    Row best;
+    for (const Row &row :
+         run(*law, Test::triaxial_drained, void_ratio, 100e3, .1, 5000))
+      if (row.mobilised_friction > best.mobilised_friction)
+        best = row;
+    // the cell pressure, on both lateral axes
+    CHECK(best.state[1] == Approx(-100e3).epsilon(1e-11));
+    CHECK(best.state[2] == Approx(best.state[1]).epsilon(1e-12));
+    CHECK(best.strain_33 == Approx(best.strain_22).epsilon(1e-12));
+    return best;
+  };
+  const Row dense = peak(.6);
+  CHECK(dense.mobilised_friction == Approx(44.01).margin(.005));
+  CHECK(-dense.strain_11 == Approx(.0258).margin(5e-5));
+  CHECK(peak(.65).mobilised_friction == Approx(38.29).margin(.005));
+  CHECK(peak(.7).mobilised_friction == Approx(34.47).margin(.005));
+}
+
+
+
+TEST_CASE("triaxial compression ends at the critical friction angle",
+          "[unit][hypoplastic][paths]")
+{
   // with a plus sign before cos 3 theta it would be 22 degrees
-  CHECK(compress(.7, 8.)[2] == Approx(30.).margin(1e-2));
+  const auto         law = LawTools::make_law("polar hypoplastic");
+  const unsigned int e   = law->layout().find("void_ratio");
+  const auto         e_c = [](const double p) {
+    return .82 * std::exp(-std::sqrt(3. * p / 190e6));
+  };
+  for (const double void_ratio : {.6, .9})
+    {
+      const Row end =
+        run(*law, Test::triaxial_drained, void_ratio, 100e3, 6., 20000).back();
+      INFO("drained, e0 " << void_ratio);
+      CHECK(end.mobilised_friction == Approx(30.).margin(1e-3));
+      CHECK(end.state[e] == Approx(e_c(end.mean_pressure)).epsilon(1e-4));
+    }
+
+  // Undrained, the pressure comes to where the void ratio is critical: dense
+  // sand gains pressure, loose sand loses it.
+  for (const double void_ratio : {.75, .8})
+    {
+      const auto rows =
+        run(*law, Test::triaxial_undrained, void_ratio, 100e3, 3., 60000);
+      double error = 0.;
+      for (const Row &row : rows)
+        error = std::max({error,
+                          std::abs(row.volumetric_strain()),
+                          std::abs(row.state[e] - void_ratio)});
+      const Row   &end = rows.back();
+      const double p_c = 190e6 / 3. * std::pow(std::log(.82 / void_ratio), 2);
+      INFO("undrained, e0 " << void_ratio);
+      CHECK(error < 1e-12);
+      CHECK(end.mobilised_friction == Approx(30.).margin(1e-3));
+      CHECK(end.deviator / end.mean_pressure == Approx(1.2).epsilon(1e-4));
+      CHECK(end.mean_pressure == Approx(p_c).epsilon(1e-3));
+      CHECK(end.excess_pore_pressure ==
+            Approx(100e3 + end.state[1]).epsilon(1e-14));
+      CHECK((end.excess_pore_pressure > 0.) == (void_ratio == .8));
+    }
+}
+
+
+
+TEST_CASE("simple shear", "[unit][hypoplastic][paths]")
+{
+  const auto              polar     = LawTools::make_law("polar hypoplastic");
+  const auto              classical = LawTools::make_law("hypoplastic");
+  ElementTest::Parameters parameters;
+  parameters.test              = Test::simple_shear;
+  parameters.void_ratio        = .7;
+  parameters.vertical_pressure = 100e3;
+  parameters.shear_strain      = 8.;
+  parameters.steps             = 20000;
+  const auto end               = [&](const Material::Law<2> &law) {
+    ElementTest::ElementTest test(parameters, law);
+    return test.run().back();
+  };
+
+  const auto angle = [](const Row &row) {
+    return std::atan(row.state[3] / -row.state[1]) * 45. / std::atan(1.);
+  };
+
+  SECTION("at constant normal stress: tan = sin of plane strain")
+  {
+    // The stress turns with the spin and must be turned back all the time,
+    // which costs an angle in proportion to p/f_s, that is to sqrt(p): the
+    // critical angle without it is that of no pressure.
+    const auto at_pressure = [&](const double pressure) {
+      parameters.vertical_pressure = pressure;
+      return end(*polar);
+    };
+    const Row low  = at_pressure(4e3);
+    const Row high = at_pressure(16e3);
+    CHECK(2. * angle(low) - angle(high) == Approx(29.431).margin(1e-3));
+    CHECK(angle(low) - angle(high) > .01);
+
+    CHECK(high.state[1] == Approx(-16e3).epsilon(1e-11));
+    CHECK(high.strain_11 == Approx(0.).margin(1e-12));
+    CHECK(high.strain_33 == 0.);
+    CHECK(high.shear_strain == Approx(8.).epsilon(1e-10));
+    // grains that turn with the continuum: nothing is polar
+    CHECK(high.state[4] == Approx(high.state[3]).epsilon(1e-10));
+    CHECK(end(*classical).state[3] == Approx(high.state[3]).epsilon(1e-9));
+  }
+
+  SECTION("at constant volume the void ratio stays")
+  {
+    parameters.shear_keeps_volume = true;
+    const unsigned int e          = polar->layout().find("void_ratio");
+    const Row          row        = end(*polar);
+    CHECK(row.state[e] == Approx(.7).epsilon(1e-12));
+    CHECK(row.excess_pore_pressure ==
+          Approx(row.state[1] + 100e3).epsilon(1e-14));
+    CHECK(.82 * std::exp(-std::sqrt(3. * row.mean_pressure / 190e6)) ==
+          Approx(.7).epsilon(1e-3));
+  }
+
+  SECTION("grains that do not turn make the stress skew")
+  {
+    parameters.shear_strain    = .05;
+    parameters.turns_with_spin = false;
+    const Row held             = end(*polar);
+    CHECK(std::abs(held.state[3] - held.state[4]) > .1 * held.state[3]);
+    // with the angle of the spin they turn as the continuum does
+    parameters.micro_rotation  = -.025;
+    const Row turned           = end(*polar);
+    parameters.turns_with_spin = true;
+    CHECK(turned.state[3] == Approx(end(*polar).state[3]).epsilon(1e-9));
+  }
 }

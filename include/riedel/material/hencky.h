@@ -14,7 +14,8 @@ namespace Riedel::Material
    *     eps = ln(b)/2     tau = lambda tr(eps) I + 2 mu eps
    *     sigma = tau / J   J = exp(tr eps)
    *
-   * in three dimensions; eps_33 keeps its initial value. A step with f = I + H
+   * in three dimensions; eps_33 keeps its initial value except in element tests
+   * that stretch axis 3. A step with f = I + H
    * makes f b f^T of b. The stress is a function of the deformation alone, not
    * of its path, and the tangent is symmetric. Equations and source:
    * doc/theory/hencky.md.
@@ -38,6 +39,12 @@ namespace Riedel::Material
     is_micropolar() const override
     {
       return false;
+    }
+
+    bool
+    can_stretch_axis_3() const override
+    {
+      return true;
     }
 
     const StateLayout &
@@ -89,6 +96,7 @@ namespace Riedel::Material
     template <typename Number>
     Report::Refusal
     respond_point(const double *increment,
+                  const double  axis_3_strain,
                   const double *committed,
                   double       *trial,
                   double       *stresses,

@@ -194,9 +194,11 @@ namespace Riedel::Material
   template <bool micropolar, typename Number>
   using HypoplasticStress = std::array<Number, micropolar ? 7 : 5>;
 
-  /// d^c_11, d^c_22, d^c_12, d^c_21 and, if micropolar, k_1 d_50, k_2 d_50.
-  template <bool micropolar, typename Number>
-  using HypoplasticStretching = std::array<Number, micropolar ? 6 : 4>;
+  /// d^c_11, d^c_22, d^c_12, d^c_21 and, if micropolar, k_1 d_50, k_2 d_50; the
+  /// last one is d_33 if axis 3 is stretched, which element tests do.
+  template <bool micropolar, typename Number, bool axis_3 = false>
+  using HypoplasticStretching =
+    std::array<Number, (micropolar ? 6 : 4) + (axis_3 ? 1 : 0)>;
 
 
 
@@ -226,17 +228,17 @@ namespace Riedel::Material
    * with s^ = sigma / tr sigma and m^ = m / (d_50 tr sigma). tr sigma must be
    * negative.
    *
-   * @param d stretching, d^c_33 = 0
+   * @param d stretching; without axis_3, d^c_33 = 0
    * @param r its length, stretching_length(d)
    */
-  template <bool micropolar, typename Number>
+  template <bool micropolar, typename Number, bool axis_3 = false>
   HypoplasticStress<micropolar, Number>
-  hypoplastic_rate(const HypoplasticConstants                      &constants,
-                   const HypoplasticStress<micropolar, Number>     &stress,
-                   const Number                                    &void_ratio,
-                   const HypoplasticStretching<micropolar, Number> &d,
-                   const Number                                    &r,
-                   HypoplasticFlagsOf<Number>                      &flags)
+  hypoplastic_rate(const HypoplasticConstants                  &constants,
+                   const HypoplasticStress<micropolar, Number> &stress,
+                   const Number                                &void_ratio,
+                   const HypoplasticStretching<micropolar, Number, axis_3> &d,
+                   const Number                                            &r,
+                   HypoplasticFlagsOf<Number> &flags)
   {
     const Number trace   = stress[0] + stress[1] + stress[2];
     const Number inverse = 1. / trace;
@@ -255,6 +257,8 @@ namespace Riedel::Material
     Number power = s[0] * d[0] + s[1] * d[1] + s[3] * d[2] + s[4] * d[3];
     if constexpr (micropolar)
       power += s[5] * d[4] + s[6] * d[5];
+    if constexpr (axis_3)
+      power += s[2] * d.back();
 
     const Number fd_r         = factors.f_d * r;
     const Number nonlinear    = fd_r * a_1;
@@ -267,6 +271,8 @@ namespace Riedel::Material
     rate[0] = linear * d[0] + along_stress * s[0] - isotropic;
     rate[1] = linear * d[1] + along_stress * s[1] - isotropic;
     rate[2] = along_stress * s[2] - isotropic;
+    if constexpr (axis_3)
+      rate[2] += linear * d.back();
     rate[3] = linear * d[2] + along_stress * s[3];
     rate[4] = linear * d[3] + along_stress * s[4];
     if constexpr (micropolar)

@@ -79,7 +79,8 @@ namespace Riedel::Material
 
   /// What drives a point through a step: d^c dt and k d_50 dt in the fixed
   /// frame, and the spin by which the rotating frame turns.
-  template <bool micropolar, typename Number>
+  /// @tparam axis_3 is d_33 given, as in element tests? Otherwise it is zero.
+  template <bool micropolar, typename Number, bool axis_3 = false>
   struct HypoplasticLoading
   {
     Continuum::PlaneTensor<Number> d;
@@ -87,10 +88,12 @@ namespace Riedel::Material
     Number                         spin;
     /// sqrt(d^c:d^c + (k d_50)^2), the same in every frame
     Number length;
+    /// d_33 dt, the same in every frame
+    std::array<Number, axis_3 ? 1 : 0> d_33;
 
     /// Components in the frame that has turned for the part @p time of the
     /// step.
-    HypoplasticStretching<micropolar, Number>
+    HypoplasticStretching<micropolar, Number, axis_3>
     at(const double time) const
     {
       if (time == 0.)
@@ -100,27 +103,42 @@ namespace Riedel::Material
                         micropolar ? to_turned_frame(k, rotation) : k);
     }
 
-    HypoplasticLoading<micropolar, Continuum::ValueOf<Number>>
+    HypoplasticLoading<micropolar, Continuum::ValueOf<Number>, axis_3>
     values() const
     {
-      return {{Continuum::value_of(d.mean),
-               Continuum::value_of(d.difference),
-               Continuum::value_of(d.shear),
-               Continuum::value_of(d.turn)},
-              values_of(k),
-              Continuum::value_of(spin),
-              Continuum::value_of(length)};
+      HypoplasticLoading<micropolar, Continuum::ValueOf<Number>, axis_3> result{
+        {Continuum::value_of(d.mean),
+         Continuum::value_of(d.difference),
+         Continuum::value_of(d.shear),
+         Continuum::value_of(d.turn)},
+        values_of(k),
+        Continuum::value_of(spin),
+        Continuum::value_of(length),
+        {}};
+      if constexpr (axis_3)
+        result.d_33 = values_of(d_33);
+      return result;
     }
 
   private:
-    static HypoplasticStretching<micropolar, Number>
+    HypoplasticStretching<micropolar, Number, axis_3>
     components(const Continuum::PlaneTensor<Number> &d,
-               const std::array<Number, 2>          &k)
+               const std::array<Number, 2>          &k) const
     {
       const Number d_11 = d.mean + d.difference;
       const Number d_22 = d.mean - d.difference;
-      if constexpr (micropolar)
+      if constexpr (micropolar && axis_3)
+        return {{d_11,
+                 d_22,
+                 d.shear - d.turn,
+                 d.shear + d.turn,
+                 k[0],
+                 k[1],
+                 d_33[0]}};
+      else if constexpr (micropolar)
         return {{d_11, d_22, d.shear - d.turn, d.shear + d.turn, k[0], k[1]}};
+      else if constexpr (axis_3)
+        return {{d_11, d_22, d.shear, d.shear, d_33[0]}};
       else
         return {{d_11, d_22, d.shear, d.shear}};
     }
@@ -155,14 +173,16 @@ namespace Riedel::Material
 
 
   /// One substep of the integrator.
-  template <bool micropolar, typename Number>
+  template <bool micropolar, typename Number, bool axis_3 = false>
   struct HypoplasticSubstep
   {
-    using Value        = Continuum::ValueOf<Number>;
-    using Condition    = Continuum::ConditionOf<Number>;
-    using Flags        = BasicHypoplasticFlags<Condition>;
-    using Stress       = HypoplasticStress<micropolar, Number>;
-    using StressValues = HypoplasticStress<micropolar, Value>;
+    using Value         = Continuum::ValueOf<Number>;
+    using Loading       = HypoplasticLoading<micropolar, Number, axis_3>;
+    using LoadingValues = HypoplasticLoading<micropolar, Value, axis_3>;
+    using Condition     = Continuum::ConditionOf<Number>;
+    using Flags         = BasicHypoplasticFlags<Condition>;
+    using Stress        = HypoplasticStress<micropolar, Number>;
+    using StressValues  = HypoplasticStress<micropolar, Value>;
 
     /// Start and length, as parts of the step.
     struct Interval
@@ -187,14 +207,14 @@ namespace Riedel::Material
      * @param volumes 1 + e at 1/2, 3/4 and the end of the substep
      */
     Condition
-    attempt(const HypoplasticConstants                   &constants,
-            const double                                  floor_pressure,
-            const Interval                               &interval,
-            const Stress                                 &begin,
-            const Stress                                 &rate_begin,
-            const std::array<Number, 3>                  &volumes,
-            const HypoplasticLoading<micropolar, Number> &loading,
-            const HypoplasticLoading<micropolar, Value>  &loading_values)
+    attempt(const HypoplasticConstants  &constants,
+            const double                 floor_pressure,
+            const Interval              &interval,
+            const Stress                &begin,
+            const Stress                &rate_begin,
+            const std::array<Number, 3> &volumes,
+            const Loading               &loading,
+            const LoadingValues         &loading_values)
     {
       using Continuum::any;
       using std::max;
@@ -213,12 +233,12 @@ namespace Riedel::Material
       if (!any(compressive))
         return compressive;
       const Stress rate_half =
-        hypoplastic_rate<micropolar, Number>(constants,
-                                             stage,
-                                             volumes[0] - 1.,
-                                             loading.at(t + .5 * h),
-                                             loading.length,
-                                             flags);
+        hypoplastic_rate<micropolar, Number, axis_3>(constants,
+                                                     stage,
+                                                     volumes[0] - 1.,
+                                                     loading.at(t + .5 * h),
+                                                     loading.length,
+                                                     flags);
 
       for (unsigned int i = 0; i < stage.size(); ++i)
         stage[i] = begin[i] + (.75 * h) * rate_half[i];
@@ -226,12 +246,12 @@ namespace Riedel::Material
       if (!any(compressive))
         return compressive;
       const Stress rate_quarter =
-        hypoplastic_rate<micropolar, Number>(constants,
-                                             stage,
-                                             volumes[1] - 1.,
-                                             loading.at(t + .75 * h),
-                                             loading.length,
-                                             flags);
+        hypoplastic_rate<micropolar, Number, axis_3>(constants,
+                                                     stage,
+                                                     volumes[1] - 1.,
+                                                     loading.at(t + .75 * h),
+                                                     loading.length,
+                                                     flags);
 
       for (unsigned int i = 0; i < end.size(); ++i)
         end[i] = begin[i] + (h * BogackiShampine::advance[0]) * rate_begin[i] +
@@ -244,14 +264,13 @@ namespace Riedel::Material
 
       // the last stage serves the error only, and needs no derivatives
       const StressValues values = values_of(end);
-      rate_end =
-        hypoplastic_rate<micropolar, Value>(constants,
-                                            values,
-                                            Continuum::value_of(volumes[2]) -
-                                              1.,
-                                            loading_values.at(t + h),
-                                            loading_values.length,
-                                            flags_end);
+      rate_end                  = hypoplastic_rate<micropolar, Value, axis_3>(
+        constants,
+        values,
+        Continuum::value_of(volumes[2]) - 1.,
+        loading_values.at(t + h),
+        loading_values.length,
+        flags_end);
 
       // Separate norms of stress and couple stress. Their lower bounds keep
       // points near the floor, or without couple stress, from endless
@@ -286,25 +305,26 @@ namespace Riedel::Material
    * The integration of hypoplastic_rate() over a step in the rotating frame:
    * adaptive substeps, and the floor under the pressure.
    */
-  template <bool micropolar, typename Number>
+  template <bool micropolar, typename Number, bool axis_3 = false>
   class HypoplasticStep
   {
   public:
     using Value     = Continuum::ValueOf<Number>;
     using Condition = Continuum::ConditionOf<Number>;
     using Stress    = HypoplasticStress<micropolar, Number>;
+    using Loading   = HypoplasticLoading<micropolar, Number, axis_3>;
 
     /**
-     * @param log_j ln det f of the step
+     * @param log_j ln of the ratio of volumes, end to start of the step
      * @param initial_volume 1 + e at the start
      * @param final_void_ratio e at the end
      */
-    HypoplasticStep(const HypoplasticConstants                   &constants,
-                    const HypoplasticControls                    &controls,
-                    const HypoplasticLoading<micropolar, Number> &loading,
-                    const Number                                 &log_j,
-                    const Value  &initial_volume,
-                    const Number &final_void_ratio)
+    HypoplasticStep(const HypoplasticConstants &constants,
+                    const HypoplasticControls  &controls,
+                    const Loading              &loading,
+                    const Number               &log_j,
+                    const Value                &initial_volume,
+                    const Number               &final_void_ratio)
       : constants(constants)
       , controls(controls)
       , loading(loading)
@@ -326,10 +346,9 @@ namespace Riedel::Material
     {
       constexpr bool with_tangent = !std::is_same<Number, double>::value;
 
-      const HypoplasticLoading<micropolar, double> loading_values =
-        loading.values();
-      const double strain        = loading_values.length;
-      const double stored_strain = substep_strain;
+      const auto   loading_values = loading.values();
+      const double strain         = loading_values.length;
+      const double stored_strain  = substep_strain;
 
       Number volume   = Number(initial_volume);
       bool   on_floor = false;
@@ -358,10 +377,10 @@ namespace Riedel::Material
         }
       const bool starts_on_floor = is_on_floor(y, initial_void_ratio);
 
-      HypoplasticSubstep<micropolar, Number> substep;
-      HypoplasticFlags                       flags_begin;
-      bool                                   rate_begin_known = false;
-      bool                                   rejected         = false;
+      HypoplasticSubstep<micropolar, Number, axis_3> substep;
+      HypoplasticFlags                               flags_begin;
+      bool                                           rate_begin_known = false;
+      bool                                           rejected         = false;
       BinarySubsteps substeps(controls.n_smallest_substeps,
                               strain > 0. ? stored_strain / strain : 1.);
       while (!substeps.done())
@@ -371,13 +390,14 @@ namespace Riedel::Material
 
           if (!rate_begin_known)
             {
-              flags_begin      = HypoplasticFlags();
-              rate_begin       = hypoplastic_rate<micropolar, Number>(constants,
-                                                                y,
-                                                                volume - 1.,
-                                                                loading.at(t),
-                                                                loading.length,
-                                                                flags_begin);
+              flags_begin = HypoplasticFlags();
+              rate_begin =
+                hypoplastic_rate<micropolar, Number, axis_3>(constants,
+                                                             y,
+                                                             volume - 1.,
+                                                             loading.at(t),
+                                                             loading.length,
+                                                             flags_begin);
               rate_begin_known = true;
             }
 
@@ -485,8 +505,7 @@ namespace Riedel::Material
       using std::max;
       using std::min;
 
-      const HypoplasticLoading<micropolar, Value> loading_values =
-        loading.values();
+      const auto   loading_values     = loading.values();
       const Value &strain             = loading_values.length;
       const Value  initial_void_ratio = initial_volume - 1.;
 
@@ -498,13 +517,13 @@ namespace Riedel::Material
         return usual;
 
       const Stress rate_begin =
-        hypoplastic_rate<micropolar, Number>(constants,
-                                             y,
-                                             initial_void_ratio,
-                                             loading.at(0.),
-                                             loading.length,
-                                             flags);
-      HypoplasticSubstep<micropolar, Number> substep;
+        hypoplastic_rate<micropolar, Number, axis_3>(constants,
+                                                     y,
+                                                     initial_void_ratio,
+                                                     loading.at(0.),
+                                                     loading.length,
+                                                     flags);
+      HypoplasticSubstep<micropolar, Number, axis_3> substep;
       const std::array<Number, 3> volumes = stage_volumes(initial_volume, 1.);
       const Condition             compressive = substep.attempt(constants,
                                                     controls.floor_pressure,
@@ -623,7 +642,8 @@ namespace Riedel::Material
     }
 
     /// Adds f_s (a_1^2 d^c + I tr d^c / 9) and f_s a_1^2 k d_50 at the
-    /// pressure of @p y to its derivatives, not to its value.
+    /// pressure of @p y to its derivatives, not to its value. d_33 is a given
+    /// number without derivatives, if there is one.
     void
     add_floor_stiffness(Stress &y) const
     {
@@ -642,15 +662,15 @@ namespace Riedel::Material
       y[0] += only_derivatives(stiffness * d[0] + isotropic);
       y[1] += only_derivatives(stiffness * d[1] + isotropic);
       y[2] += only_derivatives(isotropic);
-      for (unsigned int i = 2; i < d.size(); ++i)
+      for (unsigned int i = 2; i + 1 < y.size(); ++i)
         y[1 + i] += only_derivatives(stiffness * d[i]);
     }
 
-    const HypoplasticConstants                   &constants;
-    const HypoplasticControls                    &controls;
-    const HypoplasticLoading<micropolar, Number> &loading;
-    const Number                                 &log_j;
-    const Value                                   initial_volume;
-    const Number                                 &final_void_ratio;
+    const HypoplasticConstants &constants;
+    const HypoplasticControls  &controls;
+    const Loading              &loading;
+    const Number               &log_j;
+    const Value                 initial_volume;
+    const Number               &final_void_ratio;
   };
 } // namespace Riedel::Material

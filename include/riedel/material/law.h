@@ -32,6 +32,12 @@ namespace Riedel::Material
     /// n_points x n_generalised x n_generalised, d stress_a / d increment_b;
     /// null if only the stresses are wanted
     double *tangents;
+    /// n_points logarithmic strains of axis 3 in the step, extension positive;
+    /// null: plane strain. For element tests only, the fields of a body in
+    /// plane strain have none, and for laws that say Law::can_stretch_axis_3().
+    /// State and void ratio follow it; stresses stay those of the plane, where
+    /// j is det f in the plane. Tangents are not asked for together with it.
+    const double *axis_3_strains = nullptr;
   };
 
   /**
@@ -94,6 +100,13 @@ namespace Riedel::Material
     /// a small-strain law: the grid's deformation is then ignored.
     virtual bool
     is_geometrically_linear() const
+    {
+      return false;
+    }
+
+    /// Does respond() understand Batch::axis_3_strains?
+    virtual bool
+    can_stretch_axis_3() const
     {
       return false;
     }

@@ -19,7 +19,8 @@ namespace Riedel::Material
    * and all gradients refer to the undeformed body. Finite rotation: the same
    * relation between objective rates, with L dt = log f constant over the
    * step, integrated exactly in the frame that rotates with the spin. The
-   * classical law has no skew part and no couple stress.
+   * classical law has no skew part and no couple stress. In element tests axis
+   * 3 may be stretched: tr(eps) and sigma_33 have this strain, too.
    *
    * State: stress [Pa], couple_stress [N/m] (micropolar only).
    */
@@ -42,6 +43,12 @@ namespace Riedel::Material
     is_geometrically_linear() const override
     {
       return small_strain;
+    }
+
+    bool
+    can_stretch_axis_3() const override
+    {
+      return true;
     }
 
     const StateLayout &
@@ -89,6 +96,7 @@ namespace Riedel::Material
     template <typename Number>
     Report::Refusal
     respond_point(const double *increment,
+                  const double  axis_3_strain,
                   const double *committed,
                   double       *trial,
                   double       *stresses,

@@ -15,7 +15,8 @@ namespace Riedel::Material
    * on patterning of shear zones in granular bodies", and its classical limit
    * `hypoplastic` (4 components, symmetric stretching, no couple stress).
    * Equations, limits and counted states:
-   * doc/theory/polar_hypoplasticity.md.
+   * doc/theory/polar_hypoplasticity.md. Element tests may stretch axis 3, too:
+   * d_33 then enters like d^c_11 and d^c_22.
    *
    * A step is integrated with a constant velocity gradient, L dt = log f, in
    * the frame that rotates with the continuum's spin, so that a rigid rotation
@@ -42,6 +43,12 @@ namespace Riedel::Material
     is_micropolar() const override
     {
       return micropolar;
+    }
+
+    bool
+    can_stretch_axis_3() const override
+    {
+      return true;
     }
 
     const StateLayout &
@@ -86,17 +93,18 @@ namespace Riedel::Material
                   Problems           &problems) const override;
 
   private:
-    /// Point @p p of a batch, with derivatives if Number has them; adds it to
-    /// the report.
-    template <typename Number>
+    /// Point @p p of a batch, with derivatives if Number has them and with the
+    /// strain of axis 3 if axis_3; adds it to the report.
+    template <typename Number, bool axis_3>
     void
     respond_point(const Batch       &batch,
                   const unsigned int p,
                   Report            &report) const;
 
-    template <typename Number>
+    template <typename Number, bool axis_3>
     Report::Refusal
     respond_point(const double           *increment,
+                  const double            axis_3_strain,
                   const double           *committed,
                   double                 *trial,
                   double                 *stresses,
