@@ -129,10 +129,10 @@ namespace Riedel
             if (save_checkpoint())
               load_checkpoint(checkpoints.last());
           }
-        adapt_grid();
+        from_last_checkpoint([this]() { adapt_grid(); });
         if (!solve_step())
           continue; // with a smaller step
-        accept_step();
+        from_last_checkpoint([this]() { accept_step(); });
         measure_bands();
         record_step();
         write_fields();
@@ -141,13 +141,39 @@ namespace Riedel
             if (checkpoints.is_due_at_end(n_steps, /*in_order=*/false))
               save_checkpoint();
             log.line("Interrupted: the step is complete, results are written." +
-                     how_to_continue());
+                     how_to_continue(""));
             break;
           }
       }
     if (checkpoints.is_due_at_end(n_steps, /*in_order=*/true))
       save_checkpoint();
     finish();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::from_last_checkpoint(const std::function<void()> &change)
+  {
+    const double before = load;
+    try
+      {
+        change();
+      }
+    catch (const ComputationError &error)
+      {
+        const std::string last = checkpoints.last();
+        throw ComputationError(
+          error.what() +
+          ("\nResults up to s = " + Output::number(before) + " are in " +
+           folder.name() + ". ") +
+          (last.empty() ?
+             "There is no checkpoint yet; Checkpoint/Every steps writes them "
+             "more often." :
+             "The last checkpoint is that of step " + last + "." +
+               how_to_continue("")));
+      }
   }
 
 
@@ -163,8 +189,9 @@ namespace Riedel
     points.seed(supports->quadrature(), scene.initial_state, body.extent());
     solution = space.owned_vector();
     prepare();
-    forces_before          = balance->external_forces();
-    boundary_displacements = averages(relevant_solution);
+    forces_before = balance->external_forces();
+    boundary_displacements =
+      averages(relevant_solution, supports->supports().unseen_dofs);
 
     say_hello();
     // how far the initial state is from balance under the initial loads
@@ -361,7 +388,12 @@ namespace Riedel
              "= " +
                Output::number(scene.loading.smallest_step) + ".") +
           "\nResults up to s = " + Output::number(load) + " are in " +
-          folder.name() + "." + how_to_continue());
+          folder.name() + "." +
+          how_to_continue(
+            scene.loading.fixed_steps ?
+              "Loading/Fixed steps=false" :
+              "Loading/Smallest step=" +
+                Output::number(0.1 * scene.loading.smallest_step)));
       }
     return false;
   }
@@ -425,11 +457,13 @@ namespace Riedel
         space.gather(solution, relevant_solution);
       }
     balance->accept_contacts();
+    // of the nodes that were seen in this step
+    const auto added = averages(du, supports->supports().unseen_dofs);
     supports->accept(relevant_solution,
                      du,
                      balance->point_increments(),
                      points);
-    add_boundary_displacements(du);
+    add_boundary_displacements(added);
     if (points.are_moving() && balance->supports_changed())
       scheme->distrust();
   }
@@ -438,9 +472,9 @@ namespace Riedel
 
   template <int dim>
   void
-  Simulation<dim>::add_boundary_displacements(const std::vector<double> &du)
+  Simulation<dim>::add_boundary_displacements(
+    const std::vector<std::vector<double>> &added)
   {
-    const auto added = averages(du);
     for (std::size_t b = 0; b < added.size(); ++b)
       for (std::size_t c = 0; c < added[b].size(); ++c)
         boundary_displacements[b][c] += added[b][c];

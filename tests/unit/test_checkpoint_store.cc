@@ -160,7 +160,9 @@ TEST_CASE("metadata know a damaged checkpoint", "[unit]")
   std::string text = content(folder / "metadata.txt");
   std::ofstream(folder / "metadata.txt") << text.substr(0, text.size() / 2);
   CHECK_THROWS_WITH(Metadata::read(folder), Contains("not complete"));
-  text.replace(text.find("format = 1"), 10, "format = 9");
+  const std::string format =
+    "format = " + std::to_string(Metadata::present_format);
+  text.replace(text.find(format), format.size(), "format = 9");
   std::ofstream(folder / "metadata.txt") << text;
   CHECK_THROWS_WITH(Metadata::read(folder), Contains("Riedel 1.2.3 in format"));
   fs::remove(folder / "metadata.txt");
