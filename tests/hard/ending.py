@@ -45,7 +45,8 @@ for scene, ranks, last in (("../specimen/case.prm", 1, "000005"), (SCENE, 2, "00
     check.contains(name, failed.text, "cannot be solved",
                    "Loading/Fixed steps forbids a smaller one",
                    f'riedel {scene} --resume --set "Loading/Fixed steps=false"')
-    steps = failed.history["step [1]"]
+    before = failed.history
+    steps = before["step [1]"]
     check.note((failed.folder / "checkpoints" / "last").read_text().strip() ==
                f"{steps[-1]:06.0f}", f"{name}: step {steps[-1]:g} is on the disk")
     resumed = check.run(scene, name, settings + ["Loading/Fixed steps=false"],
@@ -53,5 +54,5 @@ for scene, ranks, last in (("../specimen/case.prm", 1, "000005"), (SCENE, 2, "00
     check.close(f"{name}: resumed to", resumed["load [1]"][-1], 0.24)
     check.fields(f"{name}: its history is kept", 0.0,
                  load=(resumed["load [1]"][:len(steps)],
-                       failed.history["load [1]"], 1.0))
+                       before["load [1]"], 1.0))
 check.finish()
