@@ -6,6 +6,7 @@
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
+#include <riedel/points/motion.h>
 #include <riedel/points/point_sums.h>
 #include <riedel/simulation.h>
 
@@ -368,6 +369,8 @@ namespace Riedel
         try_from(false);
       }
     if (outcome.converged)
+      refuse_long_moves(load + step);
+    if (outcome.converged)
       return true;
 
     scheme->distrust();
@@ -396,6 +399,30 @@ namespace Riedel
                 Output::number(0.1 * scene.loading.smallest_step)));
       }
     return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::refuse_long_moves(const double s)
+  {
+    // points are sent to ranks that own neighbouring cells
+    if (!points.are_moving() ||
+        dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    std::vector<double> du;
+    space.gather(increment, du);
+    const double cells = Points::largest_move(space,
+                                              balance->walls(s),
+                                              du,
+                                              supports->supports().unseen_dofs);
+    if (cells < 1.0 + 1e-6)
+      return;
+    outcome.converged = false;
+    outcome.failure   = "points move over " + Output::number(cells) +
+                      " of the smallest cells, on several ranks one is the "
+                      "most";
   }
 
 

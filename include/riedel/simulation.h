@@ -113,6 +113,10 @@ namespace Riedel
     save_checkpoint();
     void
     load_checkpoint(const std::string &name);
+    /// A step to @p s in which points move farther than other ranks can take
+    /// them over has not converged.
+    void
+    refuse_long_moves(const double s);
     /// A line for the end of a message, if the run can be resumed; @p change:
     /// the --set option that may help, or nothing.
     std::string

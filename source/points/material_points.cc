@@ -9,6 +9,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Riedel::Points
@@ -195,6 +196,7 @@ namespace Riedel::Points
   MaterialPoints<dim>::arrive_on_new_grid()
   {
     handler.unpack_after_coarsening_and_refinement();
+    handler.update_cached_numbers();
   }
 
 
@@ -251,6 +253,7 @@ namespace Riedel::Points
   MaterialPoints<dim>::load()
   {
     handler.deserialize();
+    handler.update_cached_numbers();
   }
 
 
@@ -364,9 +367,7 @@ namespace Riedel::Points
                             const dealii::Point<dim> &x,
                             const Grid::Frame<dim>   &frame)
   {
-    Particle &particle = particle_at[point];
-    particle->set_location(
-      sortable_place(frame.to_grid(x), particle->get_surrounding_cell()));
+    particle_at[point]->set_location(frame.to_grid(x));
   }
 
 
@@ -377,29 +378,26 @@ namespace Riedel::Points
     const dealii::Point<dim>                                 &X,
     const typename dealii::Triangulation<dim>::cell_iterator &cell) const
   {
-    // A vertex of any cell is one of the finest grid over this cell's corner.
+    // A face of any cell is one of the finest grid over this cell's corner.
     const double n =
       1u << (triangulation->n_global_levels() - 1 - cell->level());
-    constexpr double   tolerance = 1e-10; // of a cell
-    bool               on_vertex = true;
-    dealii::Point<dim> inside    = X;
-    dealii::Point<dim> shifted;
+    dealii::Point<dim> result = X;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double size = cell->extent_in_direction(d) / n;
-        const double step = 2.0 * tolerance * size;
-        if (std::abs(X[d] - grid.lower_bound(d)) < tolerance * size)
-          inside[d] = grid.lower_bound(d) + step;
-        if (std::abs(X[d] - grid.upper_bound(d)) < tolerance * size)
-          inside[d] = grid.upper_bound(d) - step;
-
-        const double place = (inside[d] - cell->vertex(0)[d]) / size;
-        on_vertex =
-          on_vertex && std::abs(place - std::round(place)) < tolerance;
+        const double size  = cell->extent_in_direction(d) / n;
+        const double place = (X[d] - cell->vertex(0)[d]) / size;
+        // of a cell: more than what rounding does to a place
+        const double tolerance =
+          1e-12 + 32.0 * std::numeric_limits<double>::epsilon() *
+                    (std::abs(X[d]) / size + n);
+        if (std::abs(place - std::round(place)) > tolerance)
+          continue;
         // towards the inside of the grid, where the cell is
-        shifted[d] = inside[d] + (X[d] < cell->center()[d] ? step : -step);
+        const double middle = cell->center()[d];
+        const double face   = cell->vertex(0)[d] + std::round(place) * size;
+        result[d] = face + (face < middle ? 2.0 : -2.0) * tolerance * size;
       }
-    return on_vertex ? shifted : inside;
+    return result;
   }
 
 
@@ -413,17 +411,31 @@ namespace Riedel::Points
     std::ostringstream first;
     const auto         connection = handler.signals.particle_lost.connect(
       [&](const Particle &particle, const auto &cell) {
-        if (n_lost++ == 0)
+        if (!grid.point_inside(particle->get_location()) && n_lost++ == 0)
           first << "Point " << particle->get_id()
                 << " has left the grid: it is "
                 << "at (" << particle->get_location()
                 << ") m of the undeformed grid and was in the cell around ("
                 << cell->center() << ") m";
       });
+    for (auto &particle : handler)
+      particle.set_location(sortable_place(particle.get_location(),
+                                           particle.get_surrounding_cell()));
+    const std::uint64_t n_before = handler.n_global_particles();
     handler.sort_particles_into_subdomains_and_cells();
     connection.disconnect();
 
     const std::uint64_t all = dealii::Utilities::MPI::sum(n_lost, communicator);
+    // What is in cells that the rank does not know, deal.II says to be lost, or
+    // drops without a word.
+    const std::uint64_t n_dropped =
+      n_before - all - handler.n_global_particles();
+    if (n_dropped > 0)
+      throw ComputationError(
+        std::to_string(n_dropped) +
+        " points have moved farther in one step than their rank knows the "
+        "grid: beyond the neighbours of its cells.\nSet a smaller "
+        "Loading/Largest step, or compute on fewer ranks.");
     if (all > 0 && !moving->remove_leaving)
       {
         const auto texts =

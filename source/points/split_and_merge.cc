@@ -141,13 +141,13 @@ namespace Riedel::Points
         x[axis] += offset;
         for (unsigned int d = 0; d < dim; ++d)
           row[place.displacement + d] += apart[d];
-        new_points.push_back({sortable_place(frame.to_grid(x), cell),
+        new_points.push_back({frame.to_grid(x),
                               std::vector<double>(row.begin(), row.end()),
                               cell});
         x[axis] -= 2.0 * offset;
         for (unsigned int d = 0; d < dim; ++d)
           row[place.displacement + d] -= 2.0 * apart[d];
-        point->set_location(sortable_place(frame.to_grid(x), cell));
+        point->set_location(frame.to_grid(x));
       }
     for (const NewPoint &point : new_points)
       handler.insert_particle(point.X,
@@ -298,7 +298,7 @@ namespace Riedel::Points
         const dealii::Point<dim> X =
           point->get_location() +
           (1.0 - share) * (other->get_location() - point->get_location());
-        point->set_location(sortable_place(X, point->get_surrounding_cell()));
+        point->set_location(X);
         gone.push_back(other);
       }
     handler.remove_particles(gone);

@@ -36,13 +36,26 @@ def check_state(name, p, tolerance):
 
 
 # 16 cells of 2.5 mm
-for cells_per_step, ranks in ((1, 1), (2, 2)):
+for cells_per_step, ranks in ((1, 1), (2, 1), (1, 2)):
     name = f"{cells_per_step} cells in a step, {ranks} ranks"
     n = 16 // cells_per_step
     run = check.run(SLIDE, file_name(name), steps(n) +
                     ["Grid/Strain sampling=assumed"], ranks)
     check.close(f"{name}: steps", run.history["step [1]"][-1], n)
     check_state(name, run.points(), 1e-9 * n)
+
+# Ranks know the neighbours of their cells: longer steps are cut, or refused.
+long_step = ["Grid/Strain sampling=assumed", "Loading/Fixed steps=false",
+             "Loading/Smallest step=0.001"]
+run = check.run(SLIDE, "cut", steps(8) + long_step, 2)
+check.note(run.history["cuts [1]"][-1] >= 1,
+           f"two cells in a step on 2 ranks: cut to "
+           f"{max(run.history['step size [1]'])!r}")
+check_state("cut", run.points(), 1e-9 * 32)
+run = check.run(SLIDE, "refused", steps(8) + [long_step[0]], 2, expect=1)
+check.contains("two cells in a fixed step on 2 ranks", run.text,
+               "points move over 2 of the smallest cells",
+               "Loading/Fixed steps forbids a smaller one")
 
 # Over hanging nodes: points are halved and merged.
 for ranks in (1, 2):

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -100,6 +102,35 @@ namespace
         if (condition(points.position(p)))
           points.move(p, dealii::Point<2>(1e3, 1e3), space.frame());
       update();
+    }
+
+    /// Moves the nearest point of all ranks to each place; places by the ids
+    /// of these points.
+    std::map<dealii::types::particle_index, dealii::Point<2>>
+    move_nearest_to(const std::vector<dealii::Point<2>> &places)
+    {
+      std::map<dealii::types::particle_index, dealii::Point<2>> result;
+      for (const auto &place : places)
+        {
+          // of equally near ones the first
+          using Candidate = std::pair<long long, dealii::types::particle_index>;
+          Candidate nearest(std::numeric_limits<long long>::max(), 0);
+          for (unsigned int p = 0; p < points.n_points(); ++p)
+            if (result.count(points.id(p)) == 0)
+              nearest =
+                std::min(nearest,
+                         Candidate(std::llround(
+                                     1e9 * points.position(p).distance(place)),
+                                   points.id(p)));
+          for (const auto &other :
+               dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, nearest))
+            nearest = std::min(nearest, other);
+          result[nearest.second] = place;
+        }
+      for (unsigned int p = 0; p < points.n_points(); ++p)
+        if (result.count(points.id(p)) > 0)
+          points.move(p, result.at(points.id(p)), space.frame());
+      return result;
     }
 
     void
@@ -208,10 +239,7 @@ TEST_CASE("Points may lie on faces, edges, vertices and hanging nodes",
     {0.0, std::nextafter(0.0, 1.0)},
     {std::nextafter(0.005, 0.0), 0.005},
     {std::nextafter(0.005, 1.0), std::nextafter(0.005, 0.0)}};
-  for (unsigned int i = 0; i < places.size(); ++i)
-    for (unsigned int p = 0; p < m.points.n_points(); ++p)
-      if (m.points.id(p) == i)
-        m.points.move(p, places[i], m.space.frame());
+  const auto place_of = m.move_nearest_to(places);
   m.update();
   CHECK(m.points.n_removed() == 0);
   CHECK(m.n_points() == n_seeded + m.points.n_split() - m.points.n_merged());
@@ -240,9 +268,9 @@ TEST_CASE("Points may lie on faces, edges, vertices and hanging nodes",
     }
   CHECK(m.points.n_removed() == 0);
   for (unsigned int p = 0; p < m.points.n_points(); ++p)
-    if (m.points.id(p) < places.size() &&
+    if (place_of.count(m.points.id(p)) > 0 &&
         m.points.n_split() + m.points.n_merged() == 0)
-      CHECK(m.points.position(p).distance(places[m.points.id(p)]) < 1e-11);
+      CHECK(m.points.position(p).distance(place_of.at(m.points.id(p))) < 1e-11);
 }
 
 
@@ -328,4 +356,24 @@ TEST_CASE("An isolated point is left alone, or the step is not solved",
     }
   else
     CHECK_FALSE(outcome.failure.empty());
+}
+
+
+
+TEST_CASE("Points that a rank cannot send on are not lost silently",
+          "[points][hard][ranks]")
+{
+  Moving m("points/rotation_sand.prm", {});
+  // every point to the other end of the block
+  for (unsigned int p = 0; p < m.points.n_points(); ++p)
+    m.points.move(p, -1.0 * m.points.position(p), m.space.frame());
+  const unsigned int n = m.n_points();
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    {
+      m.update();
+      CHECK(m.n_points() == n);
+    }
+  else
+    CHECK_THROWS_WITH(m.points.relocate(),
+                      Catch::Contains("points have moved farther in one step"));
 }

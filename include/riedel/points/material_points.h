@@ -374,9 +374,9 @@ namespace Riedel::Points
     copy_states(const bool to_rows);
 
     /// A place of the undeformed grid for a point that is in @p cell, where
-    /// deal.II 9.4 can sort it: a little beside a vertex, since it divides by
-    /// the distance from it; a little inside the grid's sides, since it loses
-    /// points that lie on them to rounding.
+    /// deal.II 9.4 can sort it: a little beside the faces of cells, where
+    /// rounding puts points into neither cell; on several ranks it loses them
+    /// then. And it divides by the distance from vertices.
     dealii::Point<dim>
     sortable_place(
       const dealii::Point<dim>                                 &X,
