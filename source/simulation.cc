@@ -193,6 +193,7 @@ namespace Riedel
     forces_before = balance->external_forces();
     boundary_displacements =
       averages(relevant_solution, supports->supports().unseen_dofs);
+    measure_free_boundaries();
 
     say_hello();
     // how far the initial state is from balance under the initial loads
@@ -505,9 +506,17 @@ namespace Riedel
     for (std::size_t b = 0; b < added.size(); ++b)
       for (std::size_t c = 0; c < added[b].size(); ++c)
         boundary_displacements[b][c] += added[b][c];
+    measure_free_boundaries();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_free_boundaries()
+  {
     if (!points.are_moving())
       return;
-    // Where no wall holds the body: the side of the box around all points.
     const auto extent  = Points::extent(points, communicator);
     const auto is_wall = [this](const std::string &name, const unsigned int d) {
       for (const auto &boundary : scene.boundary_conditions.boundaries)
@@ -515,7 +524,7 @@ namespace Riedel
           return boundary.displacement[d].given();
       return false;
     };
-    for (std::size_t b = 0; b < added.size(); ++b)
+    for (std::size_t b = 0; b < boundary_displacements.size(); ++b)
       {
         const auto         name = scene.geometry.names()[b];
         const unsigned int side = body.boundary(name), d = side / 2;

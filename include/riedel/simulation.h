@@ -78,6 +78,10 @@ namespace Riedel
     rebuild_equations();
     void
     add_boundary_displacements(const std::vector<std::vector<double>> &added);
+    /// Of moving points, where no wall holds the body: the displacement of a
+    /// boundary is that of the box around all points.
+    void
+    measure_free_boundaries();
     void
     record_step();
     void

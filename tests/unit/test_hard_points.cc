@@ -305,14 +305,16 @@ TEST_CASE("Points may lie on the sides and corners of the grid",
 
 namespace
 {
+  /// In the plane, of the points above a height [Pa].
   double
-  largest_stress(const Moving &m)
+  largest_stress(const Moving &m, const double height = -1.0)
   {
     const unsigned int s       = m.points.layout().find("stress");
     double             largest = 0.0;
     for (unsigned int p = 0; p < m.points.n_points(); ++p)
-      for (unsigned int i = 0; i < 5; ++i)
-        largest = std::max(largest, std::abs(m.points.row(p)[s + i]));
+      for (unsigned int i = 0; m.points.position(p)[1] > height && i < 5; ++i)
+        if (i != 2) // 33
+          largest = std::max(largest, std::abs(m.points.row(p)[s + i]));
     return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
   }
 } // namespace
@@ -341,21 +343,27 @@ TEST_CASE("Two separate bodies do not feel each other", "[points][hard][ranks]")
 TEST_CASE("An isolated point is left alone, or the step is not solved",
           "[points][hard][ranks]")
 {
-  Moving m("hard/block.prm", {});
+  const std::string pressure = GENERATE("0", "1e3", "100e3"); // Pa
+  Moving            m("hard/block.prm",
+           {"Initial state/Vertical pressure at top=" + pressure});
   m.remove_where([](const auto &x) {
     return x[1] > -0.005 &&
            x.distance(dealii::Point<2>(0.00125, 0.00625)) > 1e-4;
   });
   REQUIRE(m.n_points() == 17);
   const auto outcome = m.step(1.0);
-  INFO("converged: " << outcome.converged << " " << outcome.failure);
+  INFO("pressure " << pressure << ": "
+                   << (outcome.converged ? "solved" : outcome.failure)
+                   << ", largest stress " << largest_stress(m, 0.0));
+  // the body's foot is held and keeps some
   if (outcome.converged)
-    {
-      CHECK(std::isfinite(largest_stress(m)));
-      CHECK(largest_stress(m) < 1e-8 * 1e6);
-    }
+    CHECK(largest_stress(m, 0.0) < 1e-8 * 1e6);
   else
-    CHECK_FALSE(outcome.failure.empty());
+    {
+      // nothing holds a point whose stress wants to expand it
+      CHECK(pressure != "0");
+      CHECK_FALSE(outcome.failure.empty());
+    }
 }
 
 
