@@ -414,16 +414,19 @@ namespace Riedel
       return;
     std::vector<double> du;
     space.gather(increment, du);
-    const double cells = Points::largest_move(space,
-                                              balance->walls(s),
-                                              du,
-                                              supports->supports().unseen_dofs);
-    if (cells < 1.0 + 1e-6)
+    const auto next = balance->walls(s);
+    // the neighbours of its cells each rank knows
+    if (Points::largest_move(
+          space, next, du, supports->supports().unseen_dofs) < 1.0)
+      return;
+    const auto n =
+      Points::n_out_of_reach(space, next, du, points, supports->supports());
+    if (n == 0)
       return;
     outcome.converged = false;
-    outcome.failure   = "points move over " + Output::number(cells) +
-                      " of the smallest cells, on several ranks one is the "
-                      "most";
+    outcome.failure =
+      std::to_string(n) +
+      " points move beyond the neighbours of their rank's cells";
   }
 
 

@@ -44,7 +44,7 @@ for cells_per_step, ranks in ((1, 1), (2, 1), (1, 2)):
     check.close(f"{name}: steps", run.history["step [1]"][-1], n)
     check_state(name, run.points(), 1e-9 * n)
 
-# Ranks know the neighbours of their cells: longer steps are cut, or refused.
+# Ranks know the neighbours of their cells: steps beyond are cut, or refused.
 long_step = ["Grid/Strain sampling=assumed", "Loading/Fixed steps=false",
              "Loading/Smallest step=0.001"]
 run = check.run(SLIDE, "cut", steps(8) + long_step, 2)
@@ -54,7 +54,7 @@ check.note(run.history["cuts [1]"][-1] >= 1,
 check_state("cut", run.points(), 1e-9 * 32)
 run = check.run(SLIDE, "refused", steps(8) + [long_step[0]], 2, expect=1)
 check.contains("two cells in a fixed step on 2 ranks", run.text,
-               "points move over 2 of the smallest cells",
+               "points move beyond the neighbours of their rank's cells",
                "Loading/Fixed steps forbids a smaller one")
 
 # Over hanging nodes: points are halved and merged.

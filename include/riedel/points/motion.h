@@ -2,6 +2,8 @@
 #pragma once
 
 #include <riedel/grid/space.h>
+#include <riedel/points/material_points.h>
+#include <riedel/points/supports.h>
 
 #include <vector>
 
@@ -19,4 +21,14 @@ namespace Riedel::Points
                const Grid::Frame<dim>          &next,
                const std::vector<double>       &du,
                const std::vector<unsigned int> &unseen_dofs);
+
+  /// Points that a step would bring into cells that their rank does not know:
+  /// neither its own nor neighbours of these; on all ranks. Arguments as above.
+  template <int dim>
+  std::uint64_t
+  n_out_of_reach(const Grid::Space<dim>    &space,
+                 const Grid::Frame<dim>    &next,
+                 const std::vector<double> &du,
+                 const MaterialPoints<dim> &points,
+                 const Supports<dim>       &supports);
 } // namespace Riedel::Points
