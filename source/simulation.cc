@@ -6,6 +6,7 @@
 #include <riedel/interrupt.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
+#include <riedel/points/motion.h>
 #include <riedel/points/point_sums.h>
 #include <riedel/simulation.h>
 
@@ -129,10 +130,10 @@ namespace Riedel
             if (save_checkpoint())
               load_checkpoint(checkpoints.last());
           }
-        adapt_grid();
+        from_last_checkpoint([this]() { adapt_grid(); });
         if (!solve_step())
           continue; // with a smaller step
-        accept_step();
+        from_last_checkpoint([this]() { accept_step(); });
         measure_bands();
         record_step();
         write_fields();
@@ -141,13 +142,39 @@ namespace Riedel
             if (checkpoints.is_due_at_end(n_steps, /*in_order=*/false))
               save_checkpoint();
             log.line("Interrupted: the step is complete, results are written." +
-                     how_to_continue());
+                     how_to_continue(""));
             break;
           }
       }
     if (checkpoints.is_due_at_end(n_steps, /*in_order=*/true))
       save_checkpoint();
     finish();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::from_last_checkpoint(const std::function<void()> &change)
+  {
+    const double before = load;
+    try
+      {
+        change();
+      }
+    catch (const ComputationError &error)
+      {
+        const std::string last = checkpoints.last();
+        throw ComputationError(
+          error.what() +
+          ("\nResults up to s = " + Output::number(before) + " are in " +
+           folder.name() + ". ") +
+          (last.empty() ?
+             "There is no checkpoint yet; Checkpoint/Every steps writes them "
+             "more often." :
+             "The last checkpoint is that of step " + last + "." +
+               how_to_continue("")));
+      }
   }
 
 
@@ -163,8 +190,10 @@ namespace Riedel
     points.seed(supports->quadrature(), scene.initial_state, body.extent());
     solution = space.owned_vector();
     prepare();
-    forces_before          = balance->external_forces();
-    boundary_displacements = averages(relevant_solution);
+    forces_before = balance->external_forces();
+    boundary_displacements =
+      averages(relevant_solution, supports->supports().unseen_dofs);
+    measure_free_boundaries();
 
     say_hello();
     // how far the initial state is from balance under the initial loads
@@ -341,6 +370,8 @@ namespace Riedel
         try_from(false);
       }
     if (outcome.converged)
+      refuse_long_moves(load + step);
+    if (outcome.converged)
       return true;
 
     scheme->distrust();
@@ -361,9 +392,41 @@ namespace Riedel
              "= " +
                Output::number(scene.loading.smallest_step) + ".") +
           "\nResults up to s = " + Output::number(load) + " are in " +
-          folder.name() + "." + how_to_continue());
+          folder.name() + "." +
+          how_to_continue(
+            scene.loading.fixed_steps ?
+              "Loading/Fixed steps=false" :
+              "Loading/Smallest step=" +
+                Output::number(0.1 * scene.loading.smallest_step)));
       }
     return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::refuse_long_moves(const double s)
+  {
+    // points are sent to ranks that own neighbouring cells
+    if (!points.are_moving() ||
+        dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    std::vector<double> du;
+    space.gather(increment, du);
+    const auto next = balance->walls(s);
+    // the neighbours of its cells each rank knows
+    if (Points::largest_move(
+          space, next, du, supports->supports().unseen_dofs) < 1.0)
+      return;
+    const auto n =
+      Points::n_out_of_reach(space, next, du, points, supports->supports());
+    if (n == 0)
+      return;
+    outcome.converged = false;
+    outcome.failure =
+      std::to_string(n) +
+      " points move beyond the neighbours of their rank's cells";
   }
 
 
@@ -426,11 +489,13 @@ namespace Riedel
         space.gather(solution, relevant_solution);
       }
     balance->accept_contacts();
+    // of the nodes that were seen in this step
+    const auto added = averages(du, supports->supports().unseen_dofs);
     supports->accept(relevant_solution,
                      du,
                      balance->point_increments(),
                      points);
-    add_boundary_displacements(du);
+    add_boundary_displacements(added);
     if (points.are_moving() && balance->supports_changed())
       scheme->distrust();
   }
@@ -439,15 +504,23 @@ namespace Riedel
 
   template <int dim>
   void
-  Simulation<dim>::add_boundary_displacements(const std::vector<double> &du)
+  Simulation<dim>::add_boundary_displacements(
+    const std::vector<std::vector<double>> &added)
   {
-    const auto added = averages(du);
     for (std::size_t b = 0; b < added.size(); ++b)
       for (std::size_t c = 0; c < added[b].size(); ++c)
         boundary_displacements[b][c] += added[b][c];
+    measure_free_boundaries();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_free_boundaries()
+  {
     if (!points.are_moving())
       return;
-    // Where no wall holds the body: the side of the box around all points.
     const auto extent  = Points::extent(points, communicator);
     const auto is_wall = [this](const std::string &name, const unsigned int d) {
       for (const auto &boundary : scene.boundary_conditions.boundaries)
@@ -455,7 +528,7 @@ namespace Riedel
           return boundary.displacement[d].given();
       return false;
     };
-    for (std::size_t b = 0; b < added.size(); ++b)
+    for (std::size_t b = 0; b < boundary_displacements.size(); ++b)
       {
         const auto         name = scene.geometry.names()[b];
         const unsigned int side = body.boundary(name), d = side / 2;

@@ -131,13 +131,14 @@ namespace Riedel
 
   template <int dim>
   std::string
-  Simulation<dim>::how_to_continue() const
+  Simulation<dim>::how_to_continue(const std::string &change) const
   {
     if (checkpoints.last().empty())
       return "";
     return "\nThe run goes on from there with\n  riedel " + scene.file +
-           " --resume\nand the --set options of now. Sizes of steps and the "
-           "solver may be changed.";
+           " --resume" + (change.empty() ? "" : " --set \"" + change + "\"") +
+           "\nand the --set options of now. Sizes of steps and the solver may be "
+           "changed.";
   }
 
 
@@ -149,5 +150,5 @@ namespace Riedel
   template void
   Simulation<2>::load_checkpoint(const std::string &);
   template std::string
-  Simulation<2>::how_to_continue() const;
+  Simulation<2>::how_to_continue(const std::string &) const;
 } // namespace Riedel

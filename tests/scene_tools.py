@@ -130,14 +130,15 @@ class Check:
 
     def fields(self, what, relative, **fields):
         """Lists of numbers: name=(ours, expected, scale), where expected is a
-        list or one number for all; the errors are measured by scale. Reports
-        the worst."""
+        list or one number for all; the errors are measured by scale. What
+        cannot be measured (nan) must be so in both. Reports the worst."""
         worst, which = -1.0, ""
         for name, (ours, expected, scale) in fields.items():
             if not isinstance(expected, (list, tuple)):
                 expected = [expected] * len(ours)
             same = len(ours) == len(expected) > 0
-            error = max((abs(a - b) / scale for a, b in zip(ours, expected)),
+            error = max((0.0 if math.isnan(a) and math.isnan(b) else
+                         abs(a - b) / scale for a, b in zip(ours, expected)),
                         default=math.inf) if same else math.inf
             if not error <= worst:  # not a number is the worst
                 worst, which = error, name

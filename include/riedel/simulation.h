@@ -24,6 +24,7 @@
 #include <riedel/timer.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace Riedel
@@ -76,7 +77,11 @@ namespace Riedel
     void
     rebuild_equations();
     void
-    add_boundary_displacements(const std::vector<double> &du);
+    add_boundary_displacements(const std::vector<std::vector<double>> &added);
+    /// Of moving points, where no wall holds the body: the displacement of a
+    /// boundary is that of the box around all points.
+    void
+    measure_free_boundaries();
     void
     record_step();
     void
@@ -112,9 +117,18 @@ namespace Riedel
     save_checkpoint();
     void
     load_checkpoint(const std::string &name);
-    /// A line for the end of a message, if the run can be resumed.
+    /// A step to @p s in which points move farther than other ranks can take
+    /// them over has not converged.
+    void
+    refuse_long_moves(const double s);
+    /// A line for the end of a message, if the run can be resumed; @p change:
+    /// the --set option that may help, or nothing.
     std::string
-    how_to_continue() const;
+    how_to_continue(const std::string &change) const;
+    /// Does what changes the state of the run. If it fails, the message says
+    /// which checkpoint the run can go on from.
+    void
+    from_last_checkpoint(const std::function<void()> &change);
     typename Checkpoint::Checkpoints<dim>::Bodies
     bodies();
     /// The numbers of the state of the run, to or from an archive.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/boundary_averages.h>
+#include <riedel/grid/hanging_nodes.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
+
+#include <limits>
 
 namespace Riedel::Analysis
 {
@@ -19,7 +22,6 @@ namespace Riedel::Analysis
       fe,
       dealii::QGauss<dim - 1>(fe.degree + 1),
       dealii::update_values | dealii::update_JxW_values);
-    std::vector<double>                          area(names.size(), 0.0);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -39,37 +41,47 @@ namespace Riedel::Analysis
                            face_values.quadrature_point_indices())
                         weight +=
                           face_values.shape_value(i, q) * face_values.JxW(q);
-                      terms.push_back({b,
-                                       fe.system_to_component_index(i).first,
-                                       space.local(dofs[i]),
-                                       weight});
+                      const auto c = fe.system_to_component_index(i).first;
+                      Grid::for_masters(
+                        space.hanging_nodes(),
+                        dofs[i],
+                        [&](const auto node, const double factor) {
+                          terms.push_back(
+                            {b, c, space.local(node), factor * weight});
+                        });
                     }
-                for (const unsigned int q :
-                     face_values.quadrature_point_indices())
-                  area[b] += face_values.JxW(q);
               }
-    std::vector<double> total(area.size());
-    dealii::Utilities::MPI::sum(area, space.communicator(), total);
-    for (Term &term : terms)
-      term.weight /= total[term.boundary];
   }
 
 
 
   template <int dim>
   std::vector<std::vector<double>>
-  BoundaryAverages<dim>::operator()(const std::vector<double> &relevant) const
+  BoundaryAverages<dim>::operator()(
+    const std::vector<double>       &relevant,
+    const std::vector<unsigned int> &unseen_dofs) const
   {
-    const unsigned int  n = space->n_components();
-    std::vector<double> here(n_boundaries * n, 0.0), sums(n_boundaries * n);
+    std::vector<bool> is_unseen(relevant.size(), false);
+    for (const unsigned int dof : unseen_dofs)
+      is_unseen[dof] = true;
+
+    // integrals of the field, behind them those of 1
+    const unsigned int  n = space->n_components(), n_values = n_boundaries * n;
+    std::vector<double> here(2 * n_values, 0.0), sums(here.size());
     for (const Term &term : terms)
-      here[term.boundary * n + term.component] +=
-        term.weight * relevant[term.dof];
+      if (!is_unseen[term.dof])
+        {
+          const unsigned int place = term.boundary * n + term.component;
+          here[place] += term.weight * relevant[term.dof];
+          here[n_values + place] += term.weight;
+        }
     dealii::Utilities::MPI::sum(here, space->communicator(), sums);
 
-    std::vector<std::vector<double>> result;
-    for (std::size_t b = 0; b < n_boundaries; ++b)
-      result.emplace_back(sums.begin() + b * n, sums.begin() + (b + 1) * n);
+    std::vector<std::vector<double>> result(n_boundaries);
+    for (unsigned int i = 0; i < n_values; ++i)
+      result[i / n].push_back(sums[n_values + i] > 0.0 ?
+                                sums[i] / sums[n_values + i] :
+                                std::numeric_limits<double>::quiet_NaN());
     return result;
   }
 

@@ -10,17 +10,21 @@ namespace Riedel::Checkpoint
   namespace
   {
     /// Parameters and, with a slash at the end, sections that may change.
-    const std::vector<std::string> free_parameters = {"Title",
-                                                      "Results",
-                                                      "Loading/Stop",
-                                                      "Loading/Initial step",
-                                                      "Loading/Largest step",
-                                                      "Loading/Smallest step",
-                                                      "Loading/Fixed steps",
-                                                      "Solver/",
-                                                      "Output/",
-                                                      "Checkpoint/",
-                                                      "Element test/"};
+    const std::vector<std::string> free_parameters = {
+      "Title",
+      "Results",
+      "Loading/Stop",
+      "Loading/Initial step",
+      "Loading/Largest step",
+      "Loading/Smallest step",
+      "Loading/Fixed steps",
+      "Material points/Leaving points",
+      "Material points/Merge above points per cell",
+      "Material points/Merge tolerance",
+      "Solver/",
+      "Output/",
+      "Checkpoint/",
+      "Element test/"};
 
 
 

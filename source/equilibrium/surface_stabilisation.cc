@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/surface_stabilisation.h>
+#include <riedel/grid/hanging_nodes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
@@ -60,16 +61,11 @@ namespace Riedel::Equilibrium
             for (unsigned int d = 0; d < dim; ++d)
               share *= cell->extent_in_direction(d) * space.frame().stretch(d);
             for (const unsigned int v : cell->vertex_indices())
-              {
-                const auto  node = cell->vertex_dof_index(v, 0);
-                const auto *masters =
-                  space.hanging_nodes().get_constraint_entries(node);
-                if (masters == nullptr)
-                  full[space.local(node)] += share;
-                else
-                  for (const auto &[master, factor] : *masters)
-                    full[space.local(master)] += factor * share;
-              }
+              Grid::for_masters(space.hanging_nodes(),
+                                cell->vertex_dof_index(v, 0),
+                                [&](const auto node, const double factor) {
+                                  full[space.local(node)] += factor * share;
+                                });
           }
 
       for (auto *array : {&volume, &stiffness, &full})
@@ -120,16 +116,11 @@ namespace Riedel::Equilibrium
     const auto nodes_of = [this](const Cell &cell) {
       std::vector<std::pair<dealii::types::global_dof_index, double>> list;
       for (const unsigned int v : cell->vertex_indices())
-        {
-          const auto  node = cell->vertex_dof_index(v, 0);
-          const auto *masters =
-            space->hanging_nodes().get_constraint_entries(node);
-          if (masters == nullptr)
-            list.emplace_back(node, 1.0);
-          else
-            for (const auto &master : *masters)
-              list.push_back(master);
-        }
+        Grid::for_masters(space->hanging_nodes(),
+                          cell->vertex_dof_index(v, 0),
+                          [&list](const auto node, const double factor) {
+                            list.emplace_back(node, factor);
+                          });
       return list;
     };
     std::vector<bool> is_unseen(space->relevant().n_elements(), false);
@@ -204,26 +195,21 @@ namespace Riedel::Equilibrium
                                            shape.shape_grad(v, there)[normal] /
                                            (side->extent_in_direction(normal) *
                                             space->frame().stretch(normal));
-                      const auto  node = side->vertex_dof_index(v, 0);
-                      const auto *masters =
-                        space->hanging_nodes().get_constraint_entries(node);
-                      const auto put = [&row](const auto   dof,
-                                              const double value) {
+                      const auto put = [&row, slope](const auto   node,
+                                                     const double factor) {
                         const auto known =
-                          std::find(row.nodes.begin(), row.nodes.end(), dof);
+                          std::find(row.nodes.begin(), row.nodes.end(), node);
                         if (known == row.nodes.end())
                           {
-                            row.nodes.push_back(dof);
-                            row.row.push_back(value);
+                            row.nodes.push_back(node);
+                            row.row.push_back(factor * slope);
                           }
                         else
-                          row.row[known - row.nodes.begin()] += value;
+                          row.row[known - row.nodes.begin()] += factor * slope;
                       };
-                      if (masters == nullptr)
-                        put(node, slope);
-                      else
-                        for (const auto &[master, share] : *masters)
-                          put(master, share * slope);
+                      Grid::for_masters(space->hanging_nodes(),
+                                        side->vertex_dof_index(v, 0),
+                                        put);
                     }
                 };
                 add(cell, 1.0);

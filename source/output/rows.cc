@@ -33,6 +33,8 @@ namespace Riedel::Output
     record.n_points   = static_cast<std::uint64_t>(all[2]);
     record.are_moving = points.are_moving();
     record.n_split    = points.n_split();
+    record.n_merged   = points.n_merged();
+    record.drift      = points.drift();
     record.n_removed  = points.n_removed();
     record.n_held     = points.n_held();
   }
@@ -141,6 +143,17 @@ namespace Riedel::Output
       {
         row.emplace_back("split points [1]",
                          static_cast<double>(record.n_split));
+        row.emplace_back("merged points [1]",
+                         static_cast<double>(record.n_merged));
+        const auto share = [](const double drift, const double sum) {
+          return sum > 0.0 ? drift / sum : 0.0;
+        };
+        row.emplace_back("volume drift [1]",
+                         share(record.drift.volume, record.volume));
+        row.emplace_back("solid volume drift [1]",
+                         share(record.drift.solids, record.solids));
+        row.emplace_back("mass drift [1]",
+                         share(record.drift.mass, record.mass));
         row.emplace_back("removed points [1]",
                          static_cast<double>(record.n_removed));
         row.emplace_back("points held by walls [1]",

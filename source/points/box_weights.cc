@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/grid/hanging_nodes.h>
 #include <riedel/points/box_weights.h>
 
 #include <algorithm>
@@ -97,13 +98,14 @@ namespace Riedel::Points
                     e == d ? (far ? 1.0 : -1.0) / leaf.size[d] : value;
               }
 
-            const auto  dof     = vertex_dofs[number * n_vertices<dim> + v];
-            const auto *masters = constraints->get_constraint_entries(dof);
-            if (masters == nullptr)
-              add(dof, weight, gradient, nodes);
-            else
-              for (const auto &[master, factor] : *masters)
-                add(master, factor * weight, factor * gradient, nodes);
+            Grid::for_masters(*constraints,
+                              vertex_dofs[number * n_vertices<dim> + v],
+                              [&](const auto node, const double factor) {
+                                add(node,
+                                    factor * weight,
+                                    factor * gradient,
+                                    nodes);
+                              });
           }
       }
 

@@ -2,6 +2,7 @@
 #include <riedel/continuum/generalised.h>
 #include <riedel/errors.h>
 #include <riedel/points/current_supports.h>
+#include <riedel/points/merging.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -41,11 +42,13 @@ namespace Riedel::Points
   CurrentSupports<dim>::rebuild(const std::vector<double> & /*solution*/,
                                 MaterialPoints<dim> &points)
   {
-    while (follow_deformation && split_large_boxes(points))
-      points.relocate();
-
     const Grid::CellLattice<dim> lattice(space->dof_handler());
-    const BoxWeights<dim>        weights(lattice, space->hanging_nodes());
+    while (follow_deformation && split_large_boxes(lattice, points))
+      points.relocate();
+    if (follow_deformation)
+      Merging<dim>(*space, lattice, points, moving).run(points);
+
+    const BoxWeights<dim> weights(lattice, space->hanging_nodes());
 
     std::vector<CellPoints> cells;
     for (const auto &cell : space->dof_handler().active_cell_iterators())
@@ -263,14 +266,14 @@ namespace Riedel::Points
 
   template <int dim>
   bool
-  CurrentSupports<dim>::split_large_boxes(MaterialPoints<dim> &points) const
+  CurrentSupports<dim>::split_large_boxes(const Grid::CellLattice<dim> &lattice,
+                                          MaterialPoints<dim> &points) const
   {
     if (points.place.half_length == Material::StateLayout::absent)
       return false;
     constexpr double largest_share = 0.55; // of the cell's volume
 
-    const Grid::CellLattice<dim> lattice(space->dof_handler());
-    const auto                  &frame = space->frame();
+    const auto                                        &frame = space->frame();
     std::vector<typename MaterialPoints<dim>::Halving> halvings;
     std::vector<unsigned int>                          touched;
     for (const auto &cell : space->dof_handler().active_cell_iterators())

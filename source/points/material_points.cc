@@ -6,8 +6,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Riedel::Points
@@ -74,6 +76,8 @@ namespace Riedel::Points
                     more))
     , handler(triangulation, mapping, slots.size())
   {
+    if (moving != nullptr)
+      grid = dealii::GridTools::compute_bounding_box(triangulation);
     place.material             = slots.find("material");
     place.initial_volume       = slots.find("initial_volume");
     place.volume               = slots.find("volume");
@@ -82,6 +86,10 @@ namespace Riedel::Points
     place.micro_rotation       = slots.find("micro_rotation");
     place.half_length          = slots.find("half_length");
     place.deformation_gradient = slots.find("deformation_gradient");
+    place.void_ratio           = slots.find("void_ratio");
+    for (const auto &slot : more.slots())
+      for (unsigned int c = 0; c < slot.size(); ++c)
+        more_places.push_back(slots.find(slot.name) + c);
 
     for (const auto &material : materials.materials)
       {
@@ -188,6 +196,7 @@ namespace Riedel::Points
   MaterialPoints<dim>::arrive_on_new_grid()
   {
     handler.unpack_after_coarsening_and_refinement();
+    handler.update_cached_numbers();
   }
 
 
@@ -244,6 +253,7 @@ namespace Riedel::Points
   MaterialPoints<dim>::load()
   {
     handler.deserialize();
+    handler.update_cached_numbers();
   }
 
 
@@ -357,86 +367,37 @@ namespace Riedel::Points
                             const dealii::Point<dim> &x,
                             const Grid::Frame<dim>   &frame)
   {
-    put(particle_at[point], frame.to_grid(x));
+    particle_at[point]->set_location(frame.to_grid(x));
   }
 
 
 
   template <int dim>
-  void
-  MaterialPoints<dim>::put(Particle                 &particle,
-                           const dealii::Point<dim> &X) const
+  dealii::Point<dim>
+  MaterialPoints<dim>::sortable_place(
+    const dealii::Point<dim>                                 &X,
+    const typename dealii::Triangulation<dim>::cell_iterator &cell) const
   {
-    // A vertex of any cell is one of the finest grid over this cell's corner.
-    const auto   cell = particle->get_surrounding_cell();
+    // A face of any cell is one of the finest grid over this cell's corner.
     const double n =
       1u << (triangulation->n_global_levels() - 1 - cell->level());
-    constexpr double   tolerance = 1e-10; // of a cell
-    bool               on_vertex = true;
-    dealii::Point<dim> shifted   = X;
+    dealii::Point<dim> result = X;
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double size  = cell->extent_in_direction(d) / n;
         const double place = (X[d] - cell->vertex(0)[d]) / size;
-        on_vertex =
-          on_vertex && std::abs(place - std::round(place)) < tolerance;
+        // of a cell: more than what rounding does to a place
+        const double tolerance =
+          1e-12 + 32.0 * std::numeric_limits<double>::epsilon() *
+                    (std::abs(X[d]) / size + n);
+        if (std::abs(place - std::round(place)) > tolerance)
+          continue;
         // towards the inside of the grid, where the cell is
-        shifted[d] +=
-          (X[d] < cell->center()[d] ? 2.0 : -2.0) * tolerance * size;
+        const double middle = cell->center()[d];
+        const double face   = cell->vertex(0)[d] + std::round(place) * size;
+        result[d] = face + (face < middle ? 2.0 : -2.0) * tolerance * size;
       }
-    particle->set_location(on_vertex ? shifted : X);
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::split(const std::vector<Halving> &halvings,
-                             const Grid::Frame<dim>     &frame)
-  {
-    // new ids are consecutive over the ranks
-    const MPI_Comm      communicator = Compat::communicator(*triangulation);
-    const std::uint64_t n_here       = halvings.size();
-    std::uint64_t       before       = 0;
-    const int           code =
-      MPI_Exscan(&n_here, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
-    AssertThrowMPI(code);
-    auto id = handler.get_next_free_particle_index() + before;
-    split_count += dealii::Utilities::MPI::sum(n_here, communicator);
-
-    // Insertion invalidates iterators: first all changes, then all new points.
-    struct NewPoint
-    {
-      dealii::Point<dim>                                        X;
-      std::vector<double>                                       row;
-      typename dealii::Triangulation<dim>::active_cell_iterator cell;
-    };
-    std::vector<NewPoint> new_points;
-    for (auto [point, axis] : halvings)
-      {
-        const auto   row    = point->get_properties();
-        const double offset = 0.5 * half_lengths(row.data())[axis];
-        for (const unsigned int halved : {place.initial_volume,
-                                          place.volume,
-                                          place.mass,
-                                          place.half_length + axis})
-          row[halved] *= 0.5;
-
-        dealii::Point<dim> x = frame.to_space(point->get_location());
-        x[axis] += offset;
-        new_points.push_back({frame.to_grid(x),
-                              std::vector<double>(row.begin(), row.end()),
-                              point->get_surrounding_cell()});
-        x[axis] -= 2.0 * offset;
-        put(point, frame.to_grid(x));
-      }
-    for (const NewPoint &point : new_points)
-      handler.insert_particle(point.X,
-                              dealii::Point<dim>(),
-                              id++,
-                              point.cell,
-                              dealii::ArrayView<const double>(point.row));
-    handler.update_cached_numbers();
+    return result;
   }
 
 
@@ -450,17 +411,31 @@ namespace Riedel::Points
     std::ostringstream first;
     const auto         connection = handler.signals.particle_lost.connect(
       [&](const Particle &particle, const auto &cell) {
-        if (n_lost++ == 0)
+        if (!grid.point_inside(particle->get_location()) && n_lost++ == 0)
           first << "Point " << particle->get_id()
                 << " has left the grid: it is "
                 << "at (" << particle->get_location()
                 << ") m of the undeformed grid and was in the cell around ("
                 << cell->center() << ") m";
       });
+    for (auto &particle : handler)
+      particle.set_location(sortable_place(particle.get_location(),
+                                           particle.get_surrounding_cell()));
+    const std::uint64_t n_before = handler.n_global_particles();
     handler.sort_particles_into_subdomains_and_cells();
     connection.disconnect();
 
     const std::uint64_t all = dealii::Utilities::MPI::sum(n_lost, communicator);
+    // What is in cells that the rank does not know, deal.II says to be lost, or
+    // drops without a word.
+    const std::uint64_t n_dropped =
+      n_before - all - handler.n_global_particles();
+    if (n_dropped > 0)
+      throw ComputationError(
+        std::to_string(n_dropped) +
+        " points have moved farther in one step than their rank knows the "
+        "grid: beyond the neighbours of its cells.\nSet a smaller "
+        "Loading/Largest step, or compute on fewer ranks.");
     if (all > 0 && !moving->remove_leaving)
       {
         const auto texts =

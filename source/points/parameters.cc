@@ -43,6 +43,18 @@ namespace Riedel::Points
                       Patterns::Selection("stop|remove"),
                       "What happens if a point leaves the grid: the run stops, "
                       "or the point is removed and counted.");
+    prm.declare_entry("Merge above points per cell",
+                      "12",
+                      Patterns::Integer(0),
+                      "In a cell with more points, neighbours whose boxes form "
+                      "one box and whose states are near become one point, no "
+                      "larger than the first points of such a cell; 0: never.");
+    prm.declare_entry("Merge tolerance",
+                      "0.05",
+                      Patterns::Double(0, 1),
+                      "States are near if their stresses, couple stresses over "
+                      "the law's length, and void ratios differ by less than "
+                      "this share of the stress and the void ratio.");
     prm.leave_subsection();
   }
 
@@ -56,6 +68,8 @@ namespace Riedel::Points
     per_axis = prm.get_integer("Per axis");
     surface_stabilisation = prm.get_double("Surface stabilisation");
     remove_leaving        = prm.get("Leaving points") == "remove";
+    merge_above           = prm.get_integer("Merge above points per cell");
+    merge_tolerance       = prm.get_double("Merge tolerance");
     prm.leave_subsection();
   }
 

@@ -42,14 +42,16 @@ namespace Riedel::Output
     /// sums over all ranks
     double        volume = 0.0, solids = 0.0, mass = 0.0;
     std::uint64_t n_points = 0;
-    /// of points that move through the grid: split, removed and held back by
-    /// walls since the start
-    bool                 are_moving = false;
-    std::uint64_t        n_split = 0, n_removed = 0, n_held = 0;
-    Equilibrium::Outcome outcome;
-    std::uint64_t        sweeps = 0, factorisations = 0; ///< since the start
-    std::size_t          n_bands     = 0;
-    double               cpu_seconds = 0.0; ///< of all ranks
+    /// of points that move through the grid: split, merged, removed and held
+    /// back by walls since the start, and what splitting and merging have added
+    /// to the sums
+    bool          are_moving = false;
+    std::uint64_t n_split = 0, n_merged = 0, n_removed = 0, n_held = 0;
+    typename Points::MaterialPoints<dim>::Sums drift;
+    Equilibrium::Outcome                       outcome;
+    std::uint64_t sweeps = 0, factorisations = 0; ///< since the start
+    std::size_t   n_bands     = 0;
+    double        cpu_seconds = 0.0;        ///< of all ranks
     std::optional<Adaptation::Record> grid; ///< if the grid may change
   };
 

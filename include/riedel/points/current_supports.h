@@ -74,7 +74,8 @@ namespace Riedel::Points
     /// Halves boxes that are longer than the smallest cell they touch, or
     /// larger than 0.55 of their own cell. True if there were any, on any rank.
     bool
-    split_large_boxes(MaterialPoints<dim> &points) const;
+    split_large_boxes(const Grid::CellLattice<dim> &lattice,
+                      MaterialPoints<dim>          &points) const;
 
     void
     find_unseen_nodes();

@@ -7,6 +7,7 @@
 #include <riedel/material/state_layout.h>
 #include <riedel/points/parameters.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -111,7 +112,8 @@ namespace Riedel::Points
       std::string names = slot_names();
       archive    &names;
       check_slots(names);
-      archive &handler &split_count &removed_count &held_count;
+      archive &handler &split_count &merged_count &removed_count &held_count;
+      archive &drift_of_sums.volume &drift_of_sums.solids &drift_of_sums.mass;
     }
 
     /// Removes all points: they cannot be touched until the next set_order().
@@ -250,8 +252,9 @@ namespace Riedel::Points
 
     /// Halves the boxes of points of this rank (collective): two points share
     /// volume and mass, at the centres of the halves, so that the first moments
-    /// are kept too; all else is copied. Call relocate() afterwards. @p frame:
-    /// where the grid is.
+    /// are kept too; displacements differ so that the halves have also been
+    /// side by side before the first step, all else is copied. Call relocate()
+    /// afterwards. @p frame: where the grid is.
     void
     split(const std::vector<Halving> &halvings, const Grid::Frame<dim> &frame);
 
@@ -260,6 +263,53 @@ namespace Riedel::Points
     n_split() const
     {
       return split_count;
+    }
+
+    /// Two points of a cell that become one, which has the place of the first
+    /// in the cell's list.
+    struct Pair
+    {
+      typename dealii::Particles::ParticleHandler<dim>::particle_iterator first;
+      typename dealii::Particles::ParticleHandler<dim>::particle_iterator other;
+    };
+
+    /// Merges pairs of points of this rank (collective); a point may be in one
+    /// pair only, and its boxes must have a joint_box(). Volume, mass, solid
+    /// volume V/(1 + e), the volume's first moment and the summed stresses are
+    /// kept; see merge_rows(). @p frame: where the grid is.
+    void
+    merge(const std::vector<Pair> &pairs, const Grid::Frame<dim> &frame);
+
+    /// Points that have gone into others since the start, on all ranks.
+    std::uint64_t
+    n_merged() const
+    {
+      return merged_count;
+    }
+
+    /// May two points be merged, by their states? Both must have the same
+    /// material, and the same values in the slots that are neither every
+    /// point's nor the law's (contacts with plates); stresses, couple stresses
+    /// over the law's length, and void ratios may differ by @p tolerance.
+    bool
+    are_near(const double *row,
+             const double *other,
+             const double  tolerance) const;
+
+    /// Sums over points that splitting and merging have to keep.
+    struct Sums
+    {
+      double volume = 0.0; ///< V
+      double solids = 0.0; ///< V/(1 + e); zero for laws without void ratio
+      double mass   = 0.0;
+    };
+
+    /// What splitting and merging have added to the sums over all ranks since
+    /// the start: rounding errors.
+    const Sums &
+    drift() const
+    {
+      return drift_of_sums;
     }
 
     /// A point of this rank was held back by a wall.
@@ -313,6 +363,7 @@ namespace Riedel::Points
     {
       unsigned int material, initial_volume, volume, mass, displacement,
         micro_rotation, half_length, deformation_gradient;
+      unsigned int void_ratio; ///< of laws that have one
     } place;
 
   private:
@@ -322,10 +373,46 @@ namespace Riedel::Points
     void
     copy_states(const bool to_rows);
 
-    /// Puts a particle at a place of the undeformed grid, but not on a vertex:
-    /// deal.II 9.4 divides by the distance from it when it sorts.
+    /// A place of the undeformed grid for a point that is in @p cell, where
+    /// deal.II 9.4 can sort it: a little beside the faces of cells, where
+    /// rounding puts points into neither cell; on several ranks it loses them
+    /// then. And it divides by the distance from vertices.
+    dealii::Point<dim>
+    sortable_place(
+      const dealii::Point<dim>                                 &X,
+      const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+
+    /// Adds @p factor times a point's part of the sums.
     void
-    put(Particle &particle, const dealii::Point<dim> &X) const;
+    add(const double *row, const double factor, Sums &sums) const;
+
+    /// Sets the first box and the deformation gradient so that the present box
+    /// has @p half_lengths [m] and det F is V/V_0: F keeps its directions and
+    /// ratios.
+    void
+    set_half_lengths(const dealii::Tensor<1, dim> &half_lengths,
+                     double                       *row) const;
+
+    /// Adds the @p other point to a point, both of the same material; not its
+    /// box. Displacement, micro-rotation and stresses are volume-weighted
+    /// means, the void ratio follows from the sum of the solid volumes. All
+    /// else that a law remembers is copied from the larger one: a mean of two
+    /// histories is none.
+    void
+    merge_rows(double *row, const double *other) const;
+
+    /// How much farther a place at a @p distance from the point has been
+    /// displaced, (I - F^-1) dx [m].
+    dealii::Tensor<1, dim>
+    displacement_over(const double       distance,
+                      const unsigned int axis,
+                      const double      *row) const;
+
+    /// Sums a count and a drift up over the ranks.
+    void
+    add_to_history(const std::uint64_t n_here,
+                   const Sums         &drift_here,
+                   std::uint64_t      &count);
 
     /// Names and sizes of the slots: `material 1, stress 5, ...`
     std::string
@@ -344,9 +431,11 @@ namespace Riedel::Points
     }
 
     const dealii::Triangulation<dim> *triangulation;
-    const Material::Parameters<dim>  *laws;
-    const MovingPointsParameters     *moving;
-    Material::StateLayout             slots;
+    /// of moving points: the box that the undeformed grid fills
+    dealii::BoundingBox<dim>         grid;
+    const Material::Parameters<dim> *laws;
+    const MovingPointsParameters    *moving;
+    Material::StateLayout            slots;
     /// the handler keeps a pointer to it
     const dealii::MappingQ1<dim>            mapping;
     dealii::Particles::ParticleHandler<dim> handler;
@@ -354,7 +443,12 @@ namespace Riedel::Points
     /// per material: place in a point's row of every value of the law's state
     std::vector<std::vector<unsigned int>> law_places;
 
-    std::uint64_t                              split_count   = 0;
+    /// slots that are neither every point's nor a law's
+    std::vector<unsigned int> more_places;
+
+    std::uint64_t                              split_count  = 0;
+    std::uint64_t                              merged_count = 0;
+    Sums                                       drift_of_sums;
     std::uint64_t                              removed_count = 0;
     std::uint64_t                              held_count    = 0;
     std::uint64_t                              held_here = 0; ///< not added yet

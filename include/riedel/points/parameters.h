@@ -33,6 +33,10 @@ namespace Riedel::Points
     /// points that leave the grid are removed and counted; else they stop the
     /// run
     bool remove_leaving = false;
+    /// points of cells with more than these are merged; 0: never
+    unsigned int merge_above = 12;
+    /// how much states of points that are merged may differ, relative
+    double merge_tolerance = 0.05;
 
     static void
     declare(dealii::ParameterHandler &prm);
