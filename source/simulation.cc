@@ -106,6 +106,9 @@ namespace Riedel
                   folder.name(),
                   scene.checkpoint,
                   settings(scene.parameters))
+    , load(scene.loading.start)
+    , last_fields(load)
+    , last_bands(load)
   {
     for (const auto &material : scene.materials.materials)
       grain_size = std::max(grain_size, material.law->length());
@@ -573,7 +576,9 @@ namespace Riedel
     const auto record = make_record();
     history.add(Output::history_row(record));
     log.line(Output::step_line(record, watch.force(record.reactions)));
-    log.progress(load / scene.loading.stop, wall_seconds());
+    const auto &loading = scene.loading;
+    log.progress((load - loading.start) / (loading.stop - loading.start),
+                 wall_seconds());
   }
 
 
@@ -616,11 +621,13 @@ namespace Riedel
   double
   Simulation<dim>::next_mark(const double every) const
   {
+    // what is prescribed may have a kink where a stage before the loading ends
+    const double end = load < -mark_tolerance ? 0.0 : scene.loading.stop;
     if (every == 0.0)
-      return scene.loading.stop;
+      return end;
     const double next =
       every * (std::floor(load / every + mark_tolerance) + 1.0);
-    return std::min(next, scene.loading.stop);
+    return std::min(next, end);
   }
 
 
@@ -646,7 +653,7 @@ namespace Riedel
                              timer,
                              wall_seconds() - earlier.wall,
                              communicator));
-    if (last_bands > 0.0)
+    if (last_bands > scene.loading.start)
       log.line("At s = " + Output::number(last_bands) + ": " +
                Output::bands_line(bands, grain_size));
     log.line("Results are in " + folder.name() + ".");

@@ -177,7 +177,7 @@ namespace Riedel
 
     /// the state of the run
     unsigned int          n_steps = 0;
-    double                load    = 0.0;
+    double                load;
     LinearAlgebra::Vector solution;
     std::vector<double>   relevant_solution;
     /// mean displacements of the boundaries since the start
@@ -188,8 +188,8 @@ namespace Riedel
     double                external_work = 0.0, stress_work = 0.0;
     Analysis::ShearBands  bands{};
     Adaptation::Record    grid_record;
-    unsigned int          last_look   = 0; ///< step of the last criteria
-    double                last_fields = 0.0, last_bands = 0.0;
+    unsigned int          last_look = 0; ///< step of the last criteria
+    double                last_fields, last_bands;
     std::size_t           n_floored_points = 0, n_clamped_points = 0;
     unsigned int          n_stalled_steps = 0;
 

@@ -252,6 +252,13 @@ namespace Riedel::Equilibrium
   LoadingParameters<dim>::declare(ParameterHandler &prm)
   {
     prm.enter_subsection("Loading");
+    prm.declare_entry("Start",
+                      "0",
+                      Patterns::Double(Patterns::Double::min_double_value, 0),
+                      "The load parameter s begins here. Below 0 there is a "
+                      "stage before the loading, in which formulas in s bring "
+                      "the initial state into balance with the loads; one step "
+                      "ends at s = 0.");
     prm.declare_entry("Initial step",
                       "0",
                       Patterns::Double(0),
@@ -268,12 +275,13 @@ namespace Riedel::Equilibrium
     prm.declare_entry("Stop",
                       "1",
                       Patterns::Double(0),
-                      "The load parameter s runs from 0 to this value.");
+                      "The load parameter s runs from Start to this value.");
     prm.declare_entry("Fixed steps",
                       "false",
                       Patterns::Bool(),
                       "Every step is the first one: no growth, no cut. Only "
-                      "marks (Output/Fields every, Stop) shorten a step.");
+                      "marks (Output/Fields every, s = 0, Stop) shorten a "
+                      "step.");
     for (unsigned int d = 0; d < dim; ++d)
       declare_formula<dim>(
         prm,
@@ -294,6 +302,7 @@ namespace Riedel::Equilibrium
   LoadingParameters<dim>::parse(ParameterHandler &prm)
   {
     prm.enter_subsection("Loading");
+    start         = prm.get_double("Start");
     initial_step  = prm.get_double("Initial step");
     largest_step  = prm.get_double("Largest step");
     smallest_step = prm.get_double("Smallest step");

@@ -77,10 +77,12 @@ namespace Riedel::Equilibrium
           Problems                       &problems) const;
   };
 
-  /// Section "Loading": the load parameter s runs from 0 to stop.
+  /// Section "Loading": the load parameter s runs from start to stop.
   template <int dim>
   struct LoadingParameters
   {
+    /// not above 0; below, s = 0 ends a stage that prepares the loading
+    double start         = 0.0;
     double initial_step  = 0.0; ///< 0: the largest step
     double largest_step  = 0.004;
     double smallest_step = 1e-6;
