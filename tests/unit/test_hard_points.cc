@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/scheme.h>
+#include <riedel/equilibrium/unseen_dofs.h>
 #include <riedel/grid/body.h>
 #include <riedel/points/current_supports.h>
 #include <riedel/scene/scene.h>
@@ -163,7 +164,11 @@ namespace
       if (outcome.converged)
         {
           std::vector<double> nodal;
-          balance->continue_to_unseen(du);
+          Equilibrium::continue_to_unseen(space,
+                                          supports->supports().unseen_dofs,
+                                          balance->prescribed_dofs(),
+                                          balance->walls(s),
+                                          du);
           space.gather(du, nodal);
           space.set_frame(balance->walls(s));
           supports->accept(zero, nodal, balance->point_increments(), points);
