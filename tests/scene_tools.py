@@ -155,6 +155,45 @@ class Check:
                   "; orders " + ", ".join(f"{o:.2f}" for o in orders) +
                   f"; expected {expected}")
 
+    def slid_block(self, what, points, relative):
+        """The block of points/slide.prm under 40 and 100 kPa, 40 mm to the
+        right of where it was: only its place has changed."""
+        p = points
+        self.fields(what, relative,
+                    s11=(p["stress_11"], -40e3, 100e3),
+                    s22=(p["stress_22"], -100e3, 100e3),
+                    s33=(p["stress_33"], -40e3, 100e3),
+                    s12=(p["stress_12"], 0.0, 100e3),
+                    s21=(p["stress_21"], 0.0, 100e3),
+                    m1=(p["couple_stress_1"], 0.0, 50.0),
+                    m2=(p["couple_stress_2"], 0.0, 50.0),
+                    rotation=(p["micro_rotation"], 0.0, 1.0),
+                    u1=(p["displacement_1"], 0.04, 0.04),
+                    u2=(p["displacement_2"], 0.0, 0.04),
+                    volume=([v / v0 for v, v0 in
+                             zip(p["volume"], p["initial_volume"])], 1.0, 1.0),
+                    void_ratio=(p["void_ratio"], 0.6, 1.0))
+
+    def same_history(self, what, ours, reference, before_peak, after_peak):
+        """Forces, displacement, volume and work of a specimen that is
+        compressed: relative to each value before the peak of the force, to the
+        largest one after it."""
+        force = [abs(value) for value in reference["left force 1 [N/m]"]]
+        peak = force.index(max(force))
+        self.note(0 < peak < len(force) - 10,
+                  f"{what}: peak at s = {reference['load [1]'][peak]:g}")
+        self.fields(f"{what}: loads", 1e-12,
+                    load=(ours["load [1]"], reference["load [1]"], 1.0))
+        columns = ("left force 1 [N/m]", "right force 1 [N/m]",
+                   "bottom force 2 [N/m]", "top u2 [m]", "volume [m2]",
+                   "external work [J/m]")
+        self.fields(f"{what}, before the peak", before_peak, **{
+            c: ([a / b for a, b in zip(ours[c][1:peak], reference[c][1:peak])],
+                1.0, 1.0) for c in columns})
+        self.fields(f"{what}, after the peak", after_peak, **{
+            c: (ours[c][peak:], reference[c][peak:],
+                max(map(abs, reference[c]))) for c in columns})
+
     def contains(self, what, text, *words):
         for word in words:
             self.note(word in text, f"{what} says {word!r}"

@@ -124,45 +124,63 @@ namespace Riedel::Equilibrium
 
 
   void
-  AndersonAcceleration::advance(LinearAlgebra::Vector       &x,
-                                const LinearAlgebra::Vector &f)
+  AndersonAcceleration::add_pair(const LinearAlgebra::Vector &x,
+                                 const LinearAlgebra::Vector &f)
   {
-    if (n_pairs == 0)
+    Pair pair{x, f, f, {}};
+    pair.df -= last_f;
+    pair.sum -= last_x;
+    pair.sum += pair.df;
+    pair.weighted = pair.df;
+    pair.weighted.scale(*squared_weights);
+    pairs.push_front(std::move(pair));
+    if (pairs.size() > n_pairs)
       {
-        x += f;
-        return;
+        pairs.pop_back();
+        for (auto newer = std::next(pairs.begin()); newer != pairs.end();
+             ++newer)
+          newer->products.pop_back();
       }
 
+    const auto with_older = products(pairs.front().df, weighted_differences());
+    pairs.front().products.assign(with_older.begin(), with_older.end());
+  }
+
+
+
+  std::vector<const LinearAlgebra::Vector *>
+  AndersonAcceleration::weighted_differences() const
+  {
+    std::vector<const LinearAlgebra::Vector *> differences;
+    for (const Pair &pair : pairs)
+      differences.push_back(&pair.weighted);
+    return differences;
+  }
+
+
+
+  void
+  AndersonAcceleration::remember(const LinearAlgebra::Vector &x,
+                                 const LinearAlgebra::Vector &f)
+  {
+    if (n_pairs == 0)
+      return;
     if (has_last)
-      {
-        Pair pair{x, f, f, {}};
-        pair.df -= last_f;
-        pair.sum -= last_x;
-        pair.sum += pair.df;
-        pair.weighted = pair.df;
-        pair.weighted.scale(*squared_weights);
-        pairs.push_front(std::move(pair));
-        if (pairs.size() > n_pairs)
-          {
-            pairs.pop_back();
-            for (auto newer = std::next(pairs.begin()); newer != pairs.end();
-                 ++newer)
-              newer->products.pop_back();
-          }
-      }
+      add_pair(x, f);
     last_x   = x;
     last_f   = f;
     has_last = true;
+  }
 
-    std::vector<const LinearAlgebra::Vector *> others;
-    for (const Pair &pair : pairs)
-      others.push_back(&pair.weighted);
-    if (!pairs.empty() && pairs.front().products.empty())
-      {
-        const auto with_older = products(pairs.front().df, others);
-        pairs.front().products.assign(with_older.begin(), with_older.end());
-      }
-    const std::vector<double> gamma = minimise(products(f, others));
+
+
+  void
+  AndersonAcceleration::advance(LinearAlgebra::Vector       &x,
+                                const LinearAlgebra::Vector &f)
+  {
+    remember(x, f);
+    const std::vector<double> gamma =
+      minimise(products(f, weighted_differences()));
 
     x += f;
     for (unsigned int k = 0; k < pairs.size(); ++k)

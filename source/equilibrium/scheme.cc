@@ -199,9 +199,8 @@ namespace Riedel::Equilibrium
         // method.
         constexpr unsigned int enough_factors = 3;
 
-        LinearAlgebra::Vector r      = balance.vector();
-        LinearAlgebra::Vector delta  = balance.vector();
-        LinearAlgebra::Vector target = balance.vector();
+        LinearAlgebra::Vector r     = balance.vector();
+        LinearAlgebra::Vector delta = balance.vector();
         Outcome               outcome;
         Stalling              stalling(parameters.residual);
         unsigned int          with_this_factor = 0, n_factors = 0;
@@ -262,8 +261,7 @@ namespace Riedel::Equilibrium
               {
                 // A full correction may lead far away where points begin to
                 // yield or leave the floor.
-                target = du;
-                acceleration.advance(target, delta);
+                acceleration.remember(du, delta);
                 outcome.residual =
                   search_along(balance, outcome.residual, delta, du, r);
               }

@@ -18,23 +18,6 @@ def steps(n):
     return [f"Loading/Initial step={1 / n!r}", f"Loading/Largest step={1 / n!r}"]
 
 
-def check_state(name, p, tolerance):
-    """A block under 40 and 100 kPa that has gone 40 mm to the right."""
-    check.fields(name, tolerance,
-                 s11=(p["stress_11"], -40e3, 100e3),
-                 s22=(p["stress_22"], -100e3, 100e3),
-                 s33=(p["stress_33"], -40e3, 100e3),
-                 s12=(p["stress_12"], 0.0, 100e3),
-                 s21=(p["stress_21"], 0.0, 100e3),
-                 m1=(p["couple_stress_1"], 0.0, 50.0),
-                 m2=(p["couple_stress_2"], 0.0, 50.0),
-                 u1=(p["displacement_1"], 0.04, 0.04),
-                 u2=(p["displacement_2"], 0.0, 0.04),
-                 volume=([v / v0 for v, v0 in
-                          zip(p["volume"], p["initial_volume"])], 1.0, 1.0),
-                 void_ratio=(p["void_ratio"], 0.6, 1.0))
-
-
 # 16 cells of 2.5 mm
 for cells_per_step, ranks in ((1, 1), (2, 1), (1, 2)):
     name = f"{cells_per_step} cells in a step, {ranks} ranks"
@@ -42,7 +25,7 @@ for cells_per_step, ranks in ((1, 1), (2, 1), (1, 2)):
     run = check.run(SLIDE, file_name(name), steps(n) +
                     ["Grid/Strain sampling=assumed"], ranks)
     check.close(f"{name}: steps", run.history["step [1]"][-1], n)
-    check_state(name, run.points(), 1e-9 * n)
+    check.slid_block(name, run.points(), 1e-9 * n)
 
 # Ranks know the neighbours of their cells: steps beyond are cut, or refused.
 long_step = ["Grid/Strain sampling=assumed", "Loading/Fixed steps=false",
@@ -51,7 +34,7 @@ run = check.run(SLIDE, "cut", steps(8) + long_step, 2)
 check.note(run.history["cuts [1]"][-1] >= 1,
            f"two cells in a step on 2 ranks: cut to "
            f"{max(run.history['step size [1]'])!r}")
-check_state("cut", run.points(), 1e-9 * 32)
+check.slid_block("cut", run.points(), 1e-9 * 32)
 run = check.run(SLIDE, "refused", steps(8) + [long_step[0]], 2, expect=1)
 check.contains("two cells in a fixed step on 2 ranks", run.text,
                "points move beyond the neighbours of their rank's cells",
@@ -61,7 +44,7 @@ check.contains("two cells in a fixed step on 2 ranks", run.text,
 for ranks in (1, 2):
     name = f"through small cells, {ranks} ranks"
     run = check.run("through.prm", file_name(name), [], ranks)
-    check_state(name, run.points(), 1e-9 * 100)
+    check.slid_block(name, run.points(), 1e-9 * 100)
     history = run.history
     split, merged = (history[f"{what} points [1]"][-1]
                      for what in ("split", "merged"))

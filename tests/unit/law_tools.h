@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -92,6 +94,38 @@ namespace LawTools
                    answer.stresses.data(),
                    with_tangent ? answer.tangent.data() : nullptr});
     return answer;
+  }
+
+
+
+  inline bool
+  is_finite(const Answer &answer)
+  {
+    const auto finite = [](const std::vector<double> &values) {
+      return std::all_of(values.begin(), values.end(), [](const double x) {
+        return std::isfinite(x);
+      });
+    };
+    return finite(answer.state) && finite(answer.stresses) &&
+           finite(answer.tangent);
+  }
+
+
+
+  /// Increments of a rigid rotation [rad].
+  inline std::vector<double>
+  rotation(const double angle, const unsigned int n)
+  {
+    std::vector<double> increments(n, 0.);
+    const double        s = std::sin(angle);
+    const double        c = -2. * std::pow(std::sin(angle / 2), 2);
+    increments[0]         = c;
+    increments[1]         = -s;
+    increments[2]         = s;
+    increments[3]         = c;
+    if (n == 7)
+      increments[4] = angle;
+    return increments;
   }
 
 

@@ -6,9 +6,6 @@
 #include <riedel/adaptation/initial_point_transfer.h>
 #include <riedel/adaptation/marking.h>
 #include <riedel/adaptation/record.h>
-#include <riedel/grid/body.h>
-#include <riedel/grid/space.h>
-#include <riedel/points/initial_supports.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -17,31 +14,13 @@
 #include <functional>
 #include <set>
 
+#include "sand_body.h"
+
 using namespace Riedel;
 
 namespace
 {
   using Cell = dealii::Triangulation<2>::cell_iterator;
-
-  Grid::GeometryParameters
-  box_geometry()
-  {
-    Grid::GeometryParameters geometry;
-    geometry.box            = {0.08, 0.04};
-    geometry.boundary_names = {{0, "left"},
-                               {1, "right"},
-                               {2, "bottom"},
-                               {3, "top"}};
-    return geometry;
-  }
-
-  Grid::Parameters
-  grid_parameters(const unsigned int nx, const unsigned int ny)
-  {
-    Grid::Parameters grid;
-    grid.cells = {nx, ny};
-    return grid;
-  }
 
   /// Activity by active cell index from a function of the cell's centre.
   std::vector<double>
@@ -75,7 +54,7 @@ namespace
 TEST_CASE("An active cell and its buffer are refined by one level",
           "[adaptation]")
 {
-  Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
+  Grid::Body<2> body(MPI_COMM_WORLD, SandBody::box(), SandBody::cells(16, 8));
   auto         &tria = body.triangulation();
 
   Adaptation::Limits limits;
@@ -98,7 +77,7 @@ TEST_CASE("An active cell and its buffer are refined by one level",
 
 TEST_CASE("Cells of the wanted size are not refined", "[adaptation]")
 {
-  Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
+  Grid::Body<2> body(MPI_COMM_WORLD, SandBody::box(), SandBody::cells(16, 8));
   Adaptation::Limits limits;
   limits.finest_level = 3;
   limits.cell_size    = 0.005;
@@ -113,7 +92,7 @@ TEST_CASE("Cells of the wanted size are not refined", "[adaptation]")
 TEST_CASE("Nearly active cells are refined with active ones only",
           "[adaptation]")
 {
-  Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
+  Grid::Body<2> body(MPI_COMM_WORLD, SandBody::box(), SandBody::cells(16, 8));
   Adaptation::Limits limits;
   limits.finest_level  = 1;
   limits.buffer_layers = 0;
@@ -133,7 +112,7 @@ TEST_CASE("Nearly active cells are refined with active ones only",
 
 TEST_CASE("Cells at rest become coarse again, with hysteresis", "[adaptation]")
 {
-  Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
+  Grid::Body<2> body(MPI_COMM_WORLD, SandBody::box(), SandBody::cells(16, 8));
   auto         &tria = body.triangulation();
   Adaptation::Limits limits;
   limits.finest_level  = 1;
@@ -156,7 +135,7 @@ TEST_CASE("Cells at rest become coarse again, with hysteresis", "[adaptation]")
 
 TEST_CASE("A buffer does not become coarse at the next look", "[adaptation]")
 {
-  Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
+  Grid::Body<2> body(MPI_COMM_WORLD, SandBody::box(), SandBody::cells(16, 8));
   auto         &tria = body.triangulation();
   Adaptation::Limits limits;
   limits.finest_level  = 1;
@@ -179,7 +158,7 @@ TEST_CASE("A buffer does not become coarse at the next look", "[adaptation]")
 TEST_CASE("Regions meet the cells they overlap, not their neighbours",
           "[adaptation]")
 {
-  Grid::Body<2> body(MPI_COMM_WORLD, box_geometry(), grid_parameters(16, 8));
+  Grid::Body<2> body(MPI_COMM_WORLD, SandBody::box(), SandBody::cells(16, 8));
   Adaptation::Parameters<2> parameters;
   parameters.criteria = {Adaptation::Criterion::region};
   parameters.regions  = {
@@ -224,40 +203,26 @@ TEST_CASE("Shear of simple shear is its angle, of a volume change little",
 
 namespace
 {
-  /// A body of sand with points whose states vary from place to place.
-  struct Sand
+  Points::InitialStateParameters<2>
+  varied()
   {
-    Grid::Parameters           grid = grid_parameters(16, 8);
-    Grid::Body<2>              body;
-    Material::Parameters<2>    materials;
-    Grid::Space<2>             space;
-    Points::MaterialPoints<2>  points;
-    Points::InitialSupports<2> supports;
-    LinearAlgebra::Vector      solution;
-    std::vector<double>        relevant;
+    auto initial              = SandBody::pressed();
+    initial.grain_unit_weight = 26e3;
+    initial.random_field      = {0.1, 0.003, 7};
+    return initial;
+  }
 
-    static Material::Parameters<2>
-    one_material()
-    {
-      Material::Parameters<2> result;
-      result.materials.push_back(
-        {"sand", Material::create_law<2>("polar hypoplastic"), true, {}});
-      return result;
-    }
+
+
+  /// A body of sand with points whose states vary from place to place.
+  struct Sand : SandBody
+  {
+    LinearAlgebra::Vector solution;
+    std::vector<double>   relevant;
 
     Sand()
-      : body(MPI_COMM_WORLD, box_geometry(), grid)
-      , materials(one_material())
-      , space(body.triangulation(), grid, true)
-      , points(body.triangulation(), materials)
-      , supports(space, grid, true)
+      : SandBody(MPI_COMM_WORLD, varied())
     {
-      Points::InitialStateParameters<2> initial;
-      initial.void_ratio        = 0.6;
-      initial.pressure_at_top   = 1e5;
-      initial.grain_unit_weight = 26e3;
-      initial.random_field      = {0.1, 0.003, 7};
-      points.seed(supports.quadrature(), initial, body.extent());
       solution = space.owned_vector();
       for (const auto dof : space.owned())
         {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/adaptation/activity.h>
-#include <riedel/grid/body.h>
 #include <riedel/points/current_supports.h>
-#include <riedel/points/initial_supports.h>
 #include <riedel/scene/scene.h>
 
 #include <catch2/catch.hpp>
@@ -10,6 +8,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "sand_body.h"
 
 using namespace Riedel;
 
@@ -19,63 +19,13 @@ using namespace Riedel;
  */
 namespace
 {
-  /// 16 x 8 cells of 5 mm of sand, fitted by finite elements.
-  struct Sand
+  struct Sand : SandBody
   {
-    Grid::GeometryParameters          geometry;
-    Grid::Parameters                  grid;
-    Grid::Body<2>                     body;
-    Material::Parameters<2>           materials;
-    Grid::Space<2>                    space;
-    Points::MaterialPoints<2>         points;
-    Points::InitialSupports<2>        supports;
-    Points::InitialStateParameters<2> initial;
-    Adaptation::Parameters<2>         parameters;
-
-    static Grid::GeometryParameters
-    box_geometry()
-    {
-      Grid::GeometryParameters geometry;
-      geometry.box            = {0.08, 0.04};
-      geometry.boundary_names = {{0, "left"},
-                                 {1, "right"},
-                                 {2, "bottom"},
-                                 {3, "top"}};
-      return geometry;
-    }
-
-    static Grid::Parameters
-    cells()
-    {
-      Grid::Parameters grid;
-      grid.cells = {16, 8};
-      return grid;
-    }
-
-    static Material::Parameters<2>
-    one_material()
-    {
-      Material::Parameters<2> result;
-      result.materials.push_back(
-        {"sand", Material::create_law<2>("polar hypoplastic"), true, {}});
-      return result;
-    }
+    Adaptation::Parameters<2> parameters;
 
     Sand()
-      : geometry(box_geometry())
-      , grid(cells())
-      , body(MPI_COMM_SELF, geometry, grid)
-      , materials(one_material())
-      , space(body.triangulation(), grid, true)
-      , points(body.triangulation(), materials)
-      , supports(space, grid, true)
-    {
-      initial.void_ratio      = 0.6;
-      initial.pressure_at_top = 1e5;
-      points.seed(supports.quadrature(), initial, body.extent());
-      supports.rebuild(std::vector<double>(space.relevant().n_elements(), 0.0),
-                       points);
-    }
+      : SandBody(MPI_COMM_SELF)
+    {}
 
     /// Activities by cell, under increments of simple shear of angle @p shear
     /// and a rotation that is a function of the place.

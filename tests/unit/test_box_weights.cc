@@ -26,17 +26,15 @@ using TreeTools::Box;
 
 namespace
 {
-  /// A random tree on this process alone.
+  /// A tree and the weights of its nodes.
   template <int dim>
-  struct Tree
+  struct Tree : TreeTools::Tree<dim>
   {
+    using TreeTools::Tree<dim>::dofs;
+
     explicit Tree(const unsigned int seed)
-      : tria(MPI_COMM_SELF)
-      , fe(1)
-      , dofs(tria)
+      : TreeTools::Tree<dim>(seed)
     {
-      TreeTools::refine_randomly(tria, seed);
-      dofs.distribute_dofs(fe);
       dealii::DoFTools::make_hanging_node_constraints(dofs, hanging);
       hanging.close();
       lattice = std::make_unique<Grid::CellLattice<dim>>(dofs);
@@ -54,9 +52,6 @@ namespace
       return nodes;
     }
 
-    dealii::parallel::distributed::Triangulation<dim>             tria;
-    dealii::FE_Q<dim>                                             fe;
-    dealii::DoFHandler<dim>                                       dofs;
     dealii::AffineConstraints<double>                             hanging;
     std::unique_ptr<Grid::CellLattice<dim>>                       lattice;
     std::unique_ptr<BoxWeights<dim>>                              weights;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/grid/cell_lattice.h>
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -12,28 +9,10 @@
 #include "tree_tools.h"
 
 using namespace Riedel::Grid;
+using TreeTools::Tree;
 
 namespace
 {
-  template <int dim>
-  struct Tree
-  {
-    explicit Tree(const unsigned int seed)
-      : tria(MPI_COMM_SELF)
-      , fe(1)
-      , dofs(tria)
-    {
-      TreeTools::refine_randomly(tria, seed);
-      dofs.distribute_dofs(fe);
-    }
-
-    dealii::parallel::distributed::Triangulation<dim> tria;
-    dealii::FE_Q<dim>                                 fe;
-    dealii::DoFHandler<dim>                           dofs;
-  };
-
-
-
   template <int dim>
   void
   check_leaves(const unsigned int seed)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/scheme.h>
-#include <riedel/grid/body.h>
-#include <riedel/points/current_supports.h>
-#include <riedel/scene/scene.h>
+#include <riedel/equilibrium/unseen_dofs.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -17,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "moving_body.h"
+
 using namespace Riedel;
 
 /*
@@ -25,74 +25,32 @@ using namespace Riedel;
  */
 namespace
 {
-  using Settings = std::vector<std::string>;
+  using Settings = MovingBody::Settings;
 
 
 
-  /// A scene of material points whose points the test moves.
-  struct Moving
+  Scene::Scene<2>
+  read_removing(const std::string &file, const Settings &settings)
   {
-    Scene::Scene<2>                             scene;
-    Points::MovingPointsParameters              moving;
-    Grid::Body<2>                               body;
-    Grid::Space<2>                              space;
-    Points::MaterialPoints<2>                   points;
-    std::unique_ptr<Points::CurrentSupports<2>> supports;
-    std::unique_ptr<Equilibrium::Balance<2>>    balance;
-    std::vector<double>                         zero;
-    Timer                                       timer;
+    auto scene                         = MovingBody::read(file, settings);
+    scene.moving_points.remove_leaving = true;
+    return scene;
+  }
 
-    static dealii::Triangulation<2> &
-    refine(dealii::parallel::distributed::Triangulation<2>     &tria,
-           const std::function<bool(const dealii::Point<2> &)> &is_finer)
-    {
-      for (const auto &cell : tria.active_cell_iterators())
-        if (cell->is_locally_owned() && is_finer(cell->center()))
-          cell->set_refine_flag();
-      tria.execute_coarsening_and_refinement();
-      return tria;
-    }
 
-    static Points::MovingPointsParameters
-    removing(Points::MovingPointsParameters moving)
-    {
-      moving.remove_leaving = true;
-      return moving;
-    }
 
+  /// A body without those of its points that the test takes away.
+  struct Moving : MovingBody
+  {
     Moving(
       const std::string                                   &file,
       const Settings                                      &settings,
       const std::function<bool(const dealii::Point<2> &)> &is_finer =
         [](const dealii::Point<2> &) { return false; })
-      : scene(Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/" + file,
-                                   settings))
-      , moving(removing(scene.moving_points))
-      , body(MPI_COMM_WORLD, scene.geometry, scene.grid)
-      , space(refine(body.triangulation(), is_finer),
-              scene.grid,
-              scene.materials.is_micropolar())
-      , points(body.triangulation(), scene.materials, &moving)
-      , supports(std::make_unique<Points::CurrentSupports<2>>(
-          space,
-          scene.grid,
-          moving,
-          std::vector<bool>(4, false),
-          true))
-      , zero(space.relevant().n_elements(), 0.0)
-    {
-      space.set_frame(Grid::Frame<2>(body.grid_extent()));
-      points.seed(supports->quadrature(), scene.initial_state, body.extent());
-      supports->rebuild(zero, points);
-    }
-
-    /// After points have been moved.
-    void
-    update()
-    {
-      points.relocate();
-      supports->rebuild(zero, points);
-    }
+      : MovingBody(MPI_COMM_WORLD,
+                   read_removing(file, settings),
+                   refine_where(is_finer))
+    {}
 
     /// Takes the points away of which a condition holds.
     void
@@ -133,21 +91,6 @@ namespace
       return result;
     }
 
-    void
-    make_balance()
-    {
-      balance =
-        std::make_unique<Equilibrium::Balance<2>>(scene.boundary_conditions,
-                                                  scene.plates,
-                                                  scene.loading,
-                                                  scene.solver,
-                                                  body,
-                                                  space,
-                                                  points,
-                                                  supports->supports(),
-                                                  timer);
-    }
-
     /// Solves a step from 0 to @p s and lets the points take it.
     Equilibrium::Outcome
     step(const double s)
@@ -163,7 +106,11 @@ namespace
       if (outcome.converged)
         {
           std::vector<double> nodal;
-          balance->continue_to_unseen(du);
+          Equilibrium::continue_to_unseen(space,
+                                          supports->supports().unseen_dofs,
+                                          balance->prescribed_dofs(),
+                                          balance->walls(s),
+                                          du);
           space.gather(du, nodal);
           space.set_frame(balance->walls(s));
           supports->accept(zero, nodal, balance->point_increments(), points);

@@ -8,26 +8,12 @@ using namespace Riedel;
 using LawTools::make_law;
 using LawTools::make_state;
 using LawTools::respond;
+using LawTools::rotation;
 
 namespace
 {
   // the constants of make_law()
   constexpr double lambda = 1000., mu = 2000., mu_c = 500., bending = 40.;
-
-  std::vector<double>
-  rotation(const double angle, const unsigned int n)
-  {
-    std::vector<double> increments(n, 0.);
-    const double        s = std::sin(angle);
-    const double        c = -2. * std::pow(std::sin(angle / 2), 2);
-    increments[0]         = c;
-    increments[1]         = -s;
-    increments[2]         = s;
-    increments[3]         = c;
-    if (n == 7)
-      increments[4] = angle;
-    return increments;
-  }
 } // namespace
 
 

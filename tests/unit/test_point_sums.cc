@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/deformed_field.h>
 #include <riedel/analysis/shear_bands.h>
-#include <riedel/grid/body.h>
-#include <riedel/points/current_supports.h>
 #include <riedel/points/point_sums.h>
-#include <riedel/scene/scene.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "moving_body.h"
 
 using namespace Riedel;
 
@@ -24,29 +23,13 @@ namespace
   double
   measured_width(const double width, const unsigned int n_corrections)
   {
-    const auto scene =
-      Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/points/band.prm",
-                           {});
-    Grid::Body<2>              body(MPI_COMM_SELF, scene.geometry, scene.grid);
-    const Grid::Space<2>       space(body.triangulation(),
-                               scene.grid,
-                               scene.materials.is_micropolar());
-    Points::MaterialPoints<2>  points(body.triangulation(),
-                                     scene.materials,
-                                     &scene.moving_points);
-    Points::CurrentSupports<2> supports(space,
-                                        scene.grid,
-                                        scene.moving_points,
-                                        std::vector<bool>(4, false),
-                                        true);
-    points.seed(supports.quadrature(), scene.initial_state, body.extent());
-    supports.rebuild(std::vector<double>(space.relevant().n_elements(), 0.0),
-                     points);
+    MovingBody block(MPI_COMM_SELF, MovingBody::read("points/band.prm"));
+    auto      &points = block.points;
 
     const double scale = 2.0 * std::acosh(std::sqrt(2.0)) / width;
     for (unsigned int p = 0; p < points.n_points(); ++p)
       {
-        const auto   x        = points.position(p) - body.extent().center();
+        const auto   x = points.position(p) - block.body.extent().center();
         const double distance = (x[1] - x[0]) / std::sqrt(2.0);
         points.row(p)[points.place.micro_rotation] =
           0.3 / std::pow(std::cosh(scale * distance), 2);
@@ -55,8 +38,9 @@ namespace
     options.grain_size = 0.5e-3;
     const auto bands   = Analysis::measure_shear_bands(
       Analysis::collect_deformed_field(
-        space,
-        Points::nodal_values(space, points, supports.supports(), n_corrections),
+        block.space,
+        Points::nodal_values(
+          block.space, points, block.supports->supports(), n_corrections),
         points),
       options);
     REQUIRE(bands.bands.size() == 1);

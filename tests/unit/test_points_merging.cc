@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <riedel/grid/body.h>
-#include <riedel/points/current_supports.h>
 #include <riedel/points/joint_box.h>
-#include <riedel/scene/scene.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "moving_body.h"
+
 using namespace Riedel;
 
 /*
@@ -28,44 +27,32 @@ namespace
 
 
 
-  struct Block
+  Scene::Scene<2>
+  read_without_merging(const unsigned int per_axis)
   {
-    Scene::Scene<2>                             scene;
-    Points::MovingPointsParameters              moving;
-    Grid::Body<2>                               body;
-    Grid::Space<2>                              space;
-    Points::MaterialPoints<2>                   points;
-    std::unique_ptr<Points::CurrentSupports<2>> supports;
-    std::vector<double>                         zero;
+    auto scene = MovingBody::read("points/rotation_sand.prm",
+                                  {"Material points/Per axis=" +
+                                   std::to_string(per_axis)});
+    scene.moving_points.merge_above = 0;
+    return scene;
+  }
 
+
+
+  struct Block : MovingBody
+  {
     /// @p seeded points per axis of a cell, where @p wanted are at the start of
     /// a run.
     Block(const unsigned int seeded, const unsigned int wanted)
-      : scene(Scene::read_scene<2>(
-          std::string(RIEDEL_TEST_DIR) + "/points/rotation_sand.prm",
-          {"Material points/Per axis=" + std::to_string(seeded)}))
+      : MovingBody(MPI_COMM_WORLD, read_without_merging(seeded))
       , moving(scene.moving_points)
-      , body(MPI_COMM_WORLD, scene.geometry, scene.grid)
-      , space(body.triangulation(), scene.grid, true)
-      , points(body.triangulation(), scene.materials, &scene.moving_points)
-      , zero(space.relevant().n_elements(), 0.0)
     {
-      moving.per_axis    = seeded;
-      moving.merge_above = 0;
-      make_supports();
-      points.seed(supports->quadrature(), scene.initial_state, body.extent());
-      supports->rebuild(zero, points);
       moving.per_axis    = wanted;
       moving.merge_above = 12;
       make_supports();
     }
 
-    void
-    make_supports()
-    {
-      supports = std::make_unique<Points::CurrentSupports<2>>(
-        space, scene.grid, moving, std::vector<bool>(4, false), true);
-    }
+    Points::MovingPointsParameters &moving;
 
     /// Merges, and splits what is too large.
     void
@@ -293,10 +280,10 @@ TEST_CASE("Undisturbed siblings merge to the points that they came from",
       {
         const auto x = b.points.position(p);
         const auto l = b.points.half_lengths(b.points.row(p));
-        result.push_back({1e-9 * std::round(1e9 * x[0]),
-                          1e-9 * std::round(1e9 * x[1]),
-                          1e-9 * std::round(1e9 * l[0]),
-                          1e-9 * std::round(1e9 * l[1])});
+        result.push_back({{1e-9 * std::round(1e9 * x[0]),
+                           1e-9 * std::round(1e9 * x[1]),
+                           1e-9 * std::round(1e9 * l[0]),
+                           1e-9 * std::round(1e9 * l[1])}});
       }
     std::sort(result.begin(), result.end());
     return result;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <riedel/equilibrium/balance.h>
-#include <riedel/points/current_supports.h>
-#include <riedel/scene/scene.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "moving_body.h"
 
 using namespace Riedel;
 
@@ -42,42 +40,21 @@ namespace
        const unsigned int n_steps,
        const bool         finer = false)
   {
-    const auto scene =
-      Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/points/" +
-                             case_file,
-                           {"Grid/Strain sampling=" + sampling});
-    Grid::Body<2> body(MPI_COMM_SELF, scene.geometry, scene.grid);
-    for (const auto &cell : body.triangulation().active_cell_iterators())
-      if (finer && cell->center()[0] > 0.0)
-        cell->set_refine_flag();
-    body.triangulation().execute_coarsening_and_refinement();
-    const Grid::Space<2>       space(body.triangulation(),
-                               scene.grid,
-                               scene.materials.is_micropolar());
-    Points::MaterialPoints<2>  points(body.triangulation(),
-                                     scene.materials,
-                                     &scene.moving_points);
-    Points::CurrentSupports<2> supports(space,
-                                        scene.grid,
-                                        scene.moving_points,
-                                        std::vector<bool>(4, false),
-                                        true);
-    points.seed(supports.quadrature(), scene.initial_state, body.extent());
-    double whole_mass = 0.0;
+    MovingBody block(MPI_COMM_SELF,
+                     MovingBody::read("points/" + case_file,
+                                      {"Grid/Strain sampling=" + sampling}),
+                     refine_where([finer](const dealii::Point<2> &x) {
+                       return finer && x[0] > 0.0;
+                     }));
+    block.make_balance();
+    auto       &points     = block.points;
+    auto       &supports   = *block.supports;
+    auto       &balance    = *block.balance;
+    const auto &space      = block.space;
+    const auto &zero       = block.zero;
+    double      whole_mass = 0.0;
     for (const auto &particle : points.particles())
       whole_mass += particle.get_properties()[points.place.mass];
-    const std::vector<double> zero(space.relevant().n_elements(), 0.0);
-    supports.rebuild(zero, points);
-    Timer                   timer;
-    Equilibrium::Balance<2> balance(scene.boundary_conditions,
-                                    scene.plates,
-                                    scene.loading,
-                                    scene.solver,
-                                    body,
-                                    space,
-                                    points,
-                                    supports.supports(),
-                                    timer);
 
     const double step = angle / n_steps;
     // the middle of the block goes along a circle of half a cell
@@ -119,7 +96,7 @@ namespace
     sigma                = turned * sigma * transpose(turned);
     const unsigned int s = points.layout().find("stress");
     const unsigned int n_s =
-      scene.materials.is_micropolar() ? 5 : 4; // 11, 22, 33, 12, 21
+      block.scene.materials.is_micropolar() ? 5 : 4; // 11, 22, 33, 12, 21
     Drift drift;
     drift.n_split  = points.n_split();
     drift.n_merged = points.n_merged();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/equilibrium/scheme.h>
-#include <riedel/points/current_supports.h>
-#include <riedel/scene/scene.h>
 
 #include <catch2/catch.hpp>
 
@@ -10,6 +8,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "moving_body.h"
 
 using namespace Riedel;
 
@@ -103,36 +103,21 @@ namespace
           settings.push_back("Boundary conditions/" + side +
                              "/Rotation=0.75e-3 * s");
       }
-    const auto scene =
-      Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/points/patch.prm",
-                           settings);
-    Grid::Body<2> body(MPI_COMM_SELF, scene.geometry, scene.grid);
-
-    if (refine)
-      {
-        std::mt19937 random(seed);
-        for (unsigned int level = 0; level < 2; ++level)
-          {
-            for (const auto &cell :
-                 body.triangulation().active_cell_iterators())
-              if (random() % 3 == 0)
-                cell->set_refine_flag();
-            body.triangulation().execute_coarsening_and_refinement();
-          }
-      }
-    const Grid::Space<2> space(body.triangulation(), scene.grid, true);
+    const auto refine_randomly = [&](MovingBody::Triangulation &triangulation) {
+      std::mt19937 random(seed);
+      for (unsigned int level = 0; refine && level < 2; ++level)
+        refine_where([&](const dealii::Point<2> &) {
+          return random() % 3 == 0;
+        })(triangulation);
+    };
+    MovingBody  patch(MPI_COMM_SELF,
+                     MovingBody::read("points/patch.prm", settings),
+                     refine_randomly);
+    auto       &points   = patch.points;
+    const auto &body     = patch.body;
+    const auto &space    = patch.space;
+    const auto &solution = patch.zero;
     REQUIRE((space.hanging_nodes().n_constraints() > 0) == refine);
-    Points::MaterialPoints<2>  points(body.triangulation(),
-                                     scene.materials,
-                                     &scene.moving_points);
-    Points::CurrentSupports<2> supports(space,
-                                        scene.grid,
-                                        scene.moving_points,
-                                        std::vector<bool>(4, false),
-                                        false);
-    points.seed(supports.quadrature(), scene.initial_state, body.extent());
-    std::vector<double> solution(space.relevant().n_elements(), 0.0);
-    supports.rebuild(solution, points);
 
     // Points take the tiles in the order of their places.
     auto tiles = tile(body.extent(), points.n_points(), seed);
@@ -159,24 +144,16 @@ namespace
         points.move(order[i], tiles[i].centre, space.frame());
         errors.volume += area / (0.24 * 0.12);
       }
-    points.relocate();
+    patch.update();
     REQUIRE(points.n_removed() == 0);
-    supports.rebuild(solution, points);
 
-    Timer                   timer;
-    Equilibrium::Balance<2> balance(scene.boundary_conditions,
-                                    scene.plates,
-                                    scene.loading,
-                                    scene.solver,
-                                    body,
-                                    space,
-                                    points,
-                                    supports.supports(),
-                                    timer);
+    patch.make_balance();
+    auto &balance = *patch.balance;
     balance.begin_step(solution, 0.0, 1.0);
     LinearAlgebra::Vector du = space.owned_vector();
     balance.predict_with_tangent(du);
-    const auto scheme = Equilibrium::Scheme<2>::create(scene.solver, balance);
+    const auto scheme =
+      Equilibrium::Scheme<2>::create(patch.scene.solver, balance);
     REQUIRE(scheme->solve(balance, du, true).converged);
 
     std::vector<double> nodal;
@@ -193,11 +170,9 @@ namespace
           std::max(errors.nodes,
                    std::abs(nodal[i] - value[c]) / (c < 2 ? 1e-4 : 1e-3));
       }
-    supports.accept(solution, nodal, balance.point_increments(), points);
+    patch.supports->accept(solution, nodal, balance.point_increments(), points);
     const unsigned int stress      = points.layout().find("stress");
     const double       shear[2][2] = {{1.5, 1.5}, {2.0, 1.0}};
-    const auto        &slot        = points.layout().slots()[0];
-    (void)slot;
     for (unsigned int p = 0; p < points.n_points(); ++p)
       {
         const double *s = points.row(p) + stress;

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
@@ -70,6 +72,26 @@ namespace TreeTools
         tria.execute_coarsening_and_refinement();
       }
   }
+
+
+
+  /// A random tree on this process alone, with linear elements.
+  template <int dim>
+  struct Tree
+  {
+    explicit Tree(const unsigned int seed)
+      : tria(MPI_COMM_SELF)
+      , fe(1)
+      , dofs(tria)
+    {
+      refine_randomly(tria, seed);
+      dofs.distribute_dofs(fe);
+    }
+
+    dealii::parallel::distributed::Triangulation<dim> tria;
+    dealii::FE_Q<dim>                                 fe;
+    dealii::DoFHandler<dim>                           dofs;
+  };
 
 
 

@@ -41,6 +41,11 @@ namespace Riedel::Equilibrium
     void
     advance(LinearAlgebra::Vector &x, const LinearAlgebra::Vector &f);
 
+    /// Takes @p x and @p f = f(x) for the next secant; the next iterate is
+    /// found by other means, e.g. a line search.
+    void
+    remember(const LinearAlgebra::Vector &x, const LinearAlgebra::Vector &f);
+
   private:
     /// A secant pair; only what is needed of it.
     struct Pair
@@ -51,6 +56,14 @@ namespace Riedel::Equilibrium
       /// products with the pairs that are older, newest of them first
       std::deque<double> products;
     };
+
+    /// The secant from the last iterate to @p x, newest of the pairs.
+    void
+    add_pair(const LinearAlgebra::Vector &x, const LinearAlgebra::Vector &f);
+
+    /// Of the pairs, newest first.
+    std::vector<const LinearAlgebra::Vector *>
+    weighted_differences() const;
 
     /// argmin |f - dF gamma|, newest pair first; 0 for pairs that depend on
     /// newer ones.

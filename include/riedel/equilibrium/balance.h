@@ -58,11 +58,6 @@ namespace Riedel::Equilibrium
     bool
     supports_changed();
 
-    /// Gives nodes that no point sees the mean increment of the other nodes of
-    /// their cells, or none: a first guess for the step in which they are seen.
-    void
-    continue_to_unseen(LinearAlgebra::Vector &du) const;
-
     /// Starts a step from the displacement @p u (relevant dofs by local
     /// number) and the load parameter @p from to @p to. In the configuration
     /// "current" @p u is zero, and a step that is only the share @p release of
@@ -79,6 +74,13 @@ namespace Riedel::Equilibrium
     walls(const double s) const
     {
       return conditions.walls(s);
+    }
+
+    /// Dofs with prescribed increments.
+    const std::vector<typename BoundaryConditions<dim>::Prescribed> &
+    prescribed_dofs() const
+    {
+      return conditions.prescribed();
     }
 
     /// Dofs without increments of their own: prescribed or seen by no point.

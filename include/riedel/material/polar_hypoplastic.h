@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <riedel/material/hypoplastic_rate.h>
+#include <riedel/material/hypoplastic_parameters.h>
+#include <riedel/material/hypoplastic_places.h>
 #include <riedel/material/hypoplastic_step.h>
 #include <riedel/material/law.h>
 
@@ -61,7 +62,7 @@ namespace Riedel::Material
     double
     length() const override
     {
-      return micropolar ? constants.mean_grain_diameter : 0.;
+      return micropolar ? parameters.constants.mean_grain_diameter : 0.;
     }
 
     /// f_s a_1^2 [Pa], eqs. (16), (19), (26); of the state on the floor for a
@@ -93,6 +94,8 @@ namespace Riedel::Material
                   Problems           &problems) const override;
 
   private:
+    using Place = HypoplasticPlaces<micropolar>;
+
     /// Point @p p of a batch, with derivatives if Number has them and with the
     /// strain of axis 3 if axis_3; adds it to the report.
     template <typename Number, bool axis_3>
@@ -118,11 +121,8 @@ namespace Riedel::Material
                   const unsigned int first,
                   Report            &report) const;
 
-    StateLayout          slots;
-    HypoplasticConstants constants;
-    HypoplasticControls  controls;
-    std::string          polar_constant    = "1/a1";
-    bool                 polar_constant_ok = true;
+    StateLayout           slots;
+    HypoplasticParameters parameters;
   };
 
   using PolarHypoplastic     = Hypoplastic<true>;

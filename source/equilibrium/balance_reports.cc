@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/equilibrium/balance.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <sstream>
+
+/*
+ * What a Balance tells of a step: reactions, work, and where it went wrong.
+ */
+namespace Riedel::Equilibrium
+{
+  template <int dim>
+  std::vector<typename Balance<dim>::Reaction>
+  Balance<dim>::reactions() const
+  {
+    const unsigned int  n = boundary_parameters->boundaries.size();
+    std::vector<double> numbers(n * (dim + 1), 0.0);
+    for (const auto &dof : conditions.prescribed())
+      if (dof.owned)
+        {
+          const double force = reaction.begin()[space->owned_place(dof.dof)];
+          double      *here  = &numbers[dof.boundary * (dim + 1)];
+          if (dof.component < dim)
+            here[dof.component] += force;
+          // lever arms end at the present place of the node
+          if constexpr (dim == 2)
+            {
+              if (dof.component == dim)
+                here[dim] += force;
+              else if (dof.component == 0)
+                here[dim] -= force * space->deformed_node(dof.dof, present)[1];
+              else
+                here[dim] += force * space->deformed_node(dof.dof, present)[0];
+            }
+        }
+    std::vector<double> sums(numbers.size());
+    dealii::Utilities::MPI::sum(numbers, space->communicator(), sums);
+
+    std::vector<Reaction> result(n);
+    for (unsigned int b = 0; b < n; ++b)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          result[b].force[d] = sums[b * (dim + 1) + d] + surfaces[b].force[d];
+        result[b].moment = sums[b * (dim + 1) + dim] + surfaces[b].moment;
+      }
+    for (const auto &plate : accepted_plates)
+      result.push_back({plate.force, plate.moment});
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  Balance<dim>::stress_work() const
+  {
+    return dealii::Utilities::MPI::sum(assembly.stress_work(),
+                                       space->communicator());
+  }
+
+
+
+  template <int dim>
+  double
+  Balance<dim>::plate_work() const
+  {
+    return plates.work();
+  }
+
+
+
+  template <int dim>
+  std::string
+  Balance<dim>::describe_worst(const LinearAlgebra::Vector &r) const
+  {
+    double       largest = 0.0;
+    unsigned int place   = 0;
+    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
+      {
+        const double value =
+          std::abs(r.begin()[i]) / (is_rotation[i] ? length : 1.0);
+        if (value > largest)
+          {
+            largest = value;
+            place   = i;
+          }
+      }
+    const MPI_Comm communicator = space->communicator();
+    const auto     over_ranks =
+      dealii::Utilities::MPI::min_max_avg(largest, communicator);
+    std::string text;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) ==
+          over_ranks.max_index &&
+        largest > 0.0)
+      {
+        const unsigned int local =
+          space->local(space->owned().nth_index_in_set(place));
+        const unsigned int component = space->components()[local];
+        std::ostringstream stream;
+        stream << "the largest is "
+               << (component < dim ? "force " + std::to_string(component + 1) :
+                                     std::string("moment"))
+               << " at the node (" << space->nodes()[local] << ") m";
+        text = stream.str();
+      }
+    return dealii::Utilities::MPI::broadcast(communicator,
+                                             text,
+                                             over_ranks.max_index);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Balance<dim>::describe_refusal(const Residual &residual) const
+  {
+    const MPI_Comm communicator = space->communicator();
+    std::string    text;
+    const bool     mine =
+      residual.sweep.total.reason != Material::Report::Refusal::none;
+    if (mine)
+      {
+        const unsigned int p = residual.sweep.first_refused;
+        std::ostringstream stream;
+        stream << "point " << points->id(p) << " (initially at "
+               << points->initial_position(p)
+               << " m): " << Material::describe(residual.sweep.total.reason);
+        text = stream.str();
+      }
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int first =
+      dealii::Utilities::MPI::min(mine ? rank : n, communicator);
+    return first == n ?
+             std::string() :
+             dealii::Utilities::MPI::broadcast(communicator, text, first);
+  }
+
+
+
+  template std::vector<Balance<2>::Reaction>
+  Balance<2>::reactions() const;
+  template double
+  Balance<2>::stress_work() const;
+  template double
+  Balance<2>::plate_work() const;
+  template std::string
+  Balance<2>::describe_worst(const LinearAlgebra::Vector &) const;
+  template std::string
+  Balance<2>::describe_refusal(const Residual &) const;
+} // namespace Riedel::Equilibrium
