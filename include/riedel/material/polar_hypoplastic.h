@@ -64,6 +64,13 @@ namespace Riedel::Material
       return micropolar ? constants.mean_grain_diameter : 0.;
     }
 
+    /// d_50 [m], also of the classical law, whose stresses do not know it
+    double
+    grain_size() const override
+    {
+      return grain_diameter;
+    }
+
     /// f_s a_1^2 [Pa], eqs. (16), (19), (26); of the state on the floor for a
     /// point that a step would put there
     double
@@ -121,6 +128,7 @@ namespace Riedel::Material
     StateLayout          slots;
     HypoplasticConstants constants;
     HypoplasticControls  controls;
+    double               grain_diameter    = 0.;
     std::string          polar_constant    = "1/a1";
     bool                 polar_constant_ok = true;
   };
