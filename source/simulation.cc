@@ -100,7 +100,7 @@ namespace Riedel
     , last_bands(load)
   {
     for (const auto &material : scene.materials.materials)
-      grain_size = std::max(grain_size, material.law->length());
+      grain_size = std::max(grain_size, material.law->grain_size());
   }
 
 
@@ -472,11 +472,16 @@ namespace Riedel
     balance->accept_contacts();
     // of the nodes that were seen in this step
     const auto added = averages(du, supports->supports().unseen_dofs);
+    const auto H     = Analysis::mean_gradient(points,
+                                           balance->point_increments(),
+                                           communicator);
     supports->accept(relevant_solution,
                      du,
                      balance->point_increments(),
                      points);
     add_boundary_displacements(added);
+    if (are_bands_measured())
+      observe_peak(H);
     if (points.are_moving() && balance->supports_changed())
       scheme->distrust();
   }

@@ -29,7 +29,7 @@ namespace Riedel
 
     archive &n_floored_points &n_clamped_points &n_stalled_steps;
 
-    archive &bands &last_bands &last_fields &fields &history &bands_table;
+    archive &bands &peak &last_bands &last_fields &fields &history &bands_table;
   }
 
 

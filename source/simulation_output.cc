@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/deformed_field.h>
+#include <riedel/continuum/mobilised_friction.h>
 #include <riedel/output/report.h>
 #include <riedel/output/rows.h>
 #include <riedel/points/point_sums.h>
@@ -48,24 +49,52 @@ namespace Riedel
 
 
   template <int dim>
+  bool
+  Simulation<dim>::are_bands_measured() const
+  {
+    return grain_size > 0.0 && scene.output.bands_every > 0.0;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::observe_peak(const std::array<double, 4> &H)
+  {
+    const auto   stress   = Analysis::mean_stress(points, communicator);
+    const double friction = Continuum::mobilised_friction(stress.data());
+    if (!(friction <= peak.friction))
+      peak = {friction, Analysis::dilatancy_angle(H)};
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::measure_bands()
   {
-    const double every = scene.output.bands_every;
-    if (grain_size == 0.0 || every == 0.0 ||
-        !(is_complete() || passed_mark(last_bands, load, every)))
+    if (!are_bands_measured() ||
+        !(is_complete() ||
+          passed_mark(last_bands, load, scene.output.bands_every)))
       return;
     const Timer::Scope scope(timer, "measurement of bands");
     last_bands = load;
 
     const auto field =
       Analysis::collect_deformed_field(space, shown_solution(), points);
+    const auto stress = Analysis::mean_stress(points, communicator);
     Analysis::BandMeasureOptions options;
     options.grain_size = grain_size;
     if (is_first_rank)
       {
-        bands = Analysis::measure_shear_bands(field, options);
-        bands_table.add(Output::bands_row(n_steps, load, bands, grain_size));
+        const auto before = std::move(bands);
+        bands             = Analysis::measure_shear_bands(field, options);
+        const Output::BandAngles angles = {
+          Analysis::angle_to_minor_stress(bands, stress),
+          peak,
+          {bands.friction, Analysis::dilatancy_inside(before, bands)}};
+        bands_table.add(
+          Output::bands_row(n_steps, load, bands, angles, grain_size));
       }
   }
 
@@ -222,6 +251,10 @@ namespace Riedel
 
   template void
   Simulation<2>::say_hello();
+  template bool
+  Simulation<2>::are_bands_measured() const;
+  template void
+  Simulation<2>::observe_peak(const std::array<double, 4> &);
   template void
   Simulation<2>::measure_bands();
   template void

@@ -4,6 +4,7 @@
 #include <riedel/adaptation/adaptivity.h>
 #include <riedel/adaptation/record.h>
 #include <riedel/analysis/boundary_averages.h>
+#include <riedel/analysis/mobilised_angles.h>
 #include <riedel/analysis/shear_bands.h>
 #include <riedel/checkpoint/checkpoints.h>
 #include <riedel/equilibrium/balance.h>
@@ -23,6 +24,7 @@
 #include <riedel/scene/scene.h>
 #include <riedel/timer.h>
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -86,6 +88,12 @@ namespace Riedel
     record_step();
     void
     write_fields();
+    bool
+    are_bands_measured() const;
+    /// Of the body in the last step; @p H: mean gradient of its increments of
+    /// displacement.
+    void
+    observe_peak(const std::array<double, 4> &H);
     void
     measure_bands();
     void
@@ -172,7 +180,7 @@ namespace Riedel
 
     Checkpoint::Checkpoints<dim> checkpoints;
 
-    /// the longest of the laws' lengths, d50 [m]; 0 without rotations
+    /// the largest of the laws' grain sizes, d50 [m]; 0 without grains
     double grain_size = 0.0;
 
     /// the state of the run
@@ -186,12 +194,14 @@ namespace Riedel
     LinearAlgebra::Vector forces_before; ///< external, last accepted step
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;
-    Analysis::ShearBands  bands{};
-    Adaptation::Record    grid_record;
-    unsigned int          last_look = 0; ///< step of the last criteria
-    double                last_fields, last_bands;
-    std::size_t           n_floored_points = 0, n_clamped_points = 0;
-    unsigned int          n_stalled_steps = 0;
+    Analysis::ShearBands  bands;
+    /// of the body, at its largest friction so far
+    Analysis::MobilisedAngles peak;
+    Adaptation::Record        grid_record;
+    unsigned int              last_look = 0; ///< step of the last criteria
+    double                    last_fields, last_bands;
+    std::size_t               n_floored_points = 0, n_clamped_points = 0;
+    unsigned int              n_stalled_steps = 0;
 
     /// by balances before the present one, and runs before this one
     Spent                                     earlier;

@@ -18,9 +18,9 @@ namespace Riedel::Adaptation
   {
     limits.coarsest_level = triangulation.n_global_levels() - 1;
     limits.finest_level   = limits.coarsest_level + parameters.levels;
-    limits.cell_size      = parameters.cell_size * smallest_length(materials);
-    limits.buffer_layers  = parameters.buffer_layers;
-    limits.coarsen_below  = parameters.coarsen_below;
+    limits.cell_size = parameters.cell_size * smallest_grain_size(materials);
+    limits.buffer_layers = parameters.buffer_layers;
+    limits.coarsen_below = parameters.coarsen_below;
   }
 
 

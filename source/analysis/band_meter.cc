@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/band_meter.h>
 #include <riedel/analysis/crossings.h>
-#include <riedel/analysis/cuts.h>
 #include <riedel/analysis/statistics.h>
 
 #include <algorithm>
@@ -10,13 +9,6 @@
 
 namespace Riedel::Analysis
 {
-  namespace
-  {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  }
-
-
-
   BandMeter::BandMeter(const BandMeasureOptions &options,
                        const TriangleSampler    &sampler,
                        const Raster             &raster,
@@ -93,8 +85,7 @@ namespace Riedel::Analysis
     ShearBand band;
     band.sign       = ridge.sign;
     band.length     = length(ridge);
-    band.spacing    = nan;
-    band.void_ratio = nan;
+    band.n_cuts     = 0;
     const Line line = axis(ridge);
     double     degree =
       std::atan2(line.direction[1], line.direction[0]) * 180. / M_PI;
@@ -104,41 +95,12 @@ namespace Riedel::Analysis
       degree -= 180.;
     band.inclination = degree;
 
-    const std::vector<unsigned char> usable = undisturbed(ridge);
-
-    std::vector<double> rotations, widths_50, widths_10;
-    const double        cut_step = options.cut_spacing * options.grain_size;
-    double              s        = 0.;
-    double              next_cut = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < ridge.points.size(); ++k)
-      {
-        const Point &position = ridge.points[k].position;
-        if (k > 0)
-          s += distance(ridge.points[k - 1].position, position);
-        if (ridge.points[k].bridged)
-          continue;
-        if (const auto rotation = sampler.value(position))
+    std::vector<double> rotations;
+    for (const RidgePoint &point : ridge.points)
+      if (!point.bridged)
+        if (const auto rotation = sampler.value(point.position))
           rotations.push_back(*rotation);
-        if (!usable[k] || s < next_cut)
-          continue;
-
-        next_cut = s + (1. - 1e-6) * cut_step;
-        const CutWidths widths =
-          cut_band(sampler,
-                   position,
-                   normal_to(direction(ridge, usable, k)),
-                   ridge.sign,
-                   maximum_reach,
-                   options.grain_size / 8.);
-        widths_50.push_back(widths.at_50);
-        widths_10.push_back(widths.at_10);
-      }
-    band.rotation     = median(rotations);
-    band.thickness_50 = median(widths_50);
-    band.thickness_10 = median(widths_10);
-    band.n_cuts       = std::count_if(widths_50.begin(),
-                                widths_50.end(),
-                                [](const double w) { return !std::isnan(w); });
+    band.rotation = median(rotations);
 
     double passed = 0.;
     band.centre   = ridge.points.back().position;
@@ -153,5 +115,63 @@ namespace Riedel::Analysis
           }
       }
     return band;
+  }
+
+
+
+  std::vector<Cut>
+  BandMeter::cuts(const Ridge &ridge) const
+  {
+    const std::vector<unsigned char> usable = undisturbed(ridge);
+
+    std::vector<Cut> result;
+    const double     cut_step = options.cut_spacing * options.grain_size;
+    double           s        = 0.;
+    double           next_cut = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < ridge.points.size(); ++k)
+      {
+        const Point &position = ridge.points[k].position;
+        if (k > 0)
+          s += distance(ridge.points[k - 1].position, position);
+        if (!usable[k] || s < next_cut)
+          continue;
+        next_cut = s + (1. - 1e-6) * cut_step;
+        result.push_back({position, normal_to(direction(ridge, usable, k))});
+      }
+    return result;
+  }
+
+
+
+  BandMeter::Widths
+  BandMeter::widths(const std::vector<Cut> &cuts,
+                    const TriangleSampler  &field,
+                    const double            background,
+                    const double            sign,
+                    const double            half_length) const
+  {
+    const double        d50 = options.grain_size;
+    std::vector<double> widths_50, widths_10;
+    for (const Cut &cut : cuts)
+      {
+        const auto profile = [&](const double s) {
+          auto value = mean_along(field,
+                                  advance(cut.centre, s, cut.normal),
+                                  normal_to(cut.normal),
+                                  half_length,
+                                  d50);
+          if (value)
+            *value = sign * (*value - background);
+          return value;
+        };
+        const Thickness widths = cut_band(profile, maximum_reach, d50 / 8.);
+        widths_50.push_back(widths.at_50);
+        widths_10.push_back(widths.at_10);
+      }
+    const auto n = std::count_if(widths_50.begin(),
+                                 widths_50.end(),
+                                 [](const double w) { return !std::isnan(w); });
+    return {{median(widths_50), median(widths_10)},
+            static_cast<unsigned int>(n)};
   }
 } // namespace Riedel::Analysis

@@ -12,15 +12,18 @@ namespace Riedel::Analysis
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-    /// Distances from @p start along @p direction at which the rotation falls
-    /// to 50 and 10 % of @p peak.
+    using Profile = std::function<std::optional<double>(double)>;
+
+
+
+    /// Distances from @p start, to one side (+1 or -1), at which the profile
+    /// falls to 50 and 10 % of @p peak.
     std::array<double, 2>
-    half_widths(const TriangleSampler &sampler,
-                const Point           &start,
-                const Point           &direction,
-                const double           sign,
-                const double           peak,
-                const double           step)
+    half_widths(const Profile &profile,
+                const double   start,
+                const int      side,
+                const double   peak,
+                const double   step)
     {
       const std::array<double, 2> levels = {{0.5 * peak, 0.1 * peak}};
       // a rise by more than this is another band; kinks rise less
@@ -31,17 +34,16 @@ namespace Riedel::Analysis
       double                before = peak, least = peak;
       for (unsigned int k = 1; next < levels.size(); ++k)
         {
-          const auto value = sampler.value(advance(start, k * step, direction));
-          if (!value || sign * *value > least + valley)
+          const auto value = profile(start + side * (k * step));
+          if (!value || *value > least + valley)
             break;
-          const double v = sign * *value;
-          while (next < levels.size() && v <= levels[next])
+          while (next < levels.size() && *value <= levels[next])
             {
-              const double share = (before - levels[next]) / (before - v);
+              const double share = (before - levels[next]) / (before - *value);
               result[next++]     = (k - 1 + share) * step;
             }
-          before = v;
-          least  = std::fmin(least, v);
+          before = *value;
+          least  = std::fmin(least, *value);
         }
       return result;
     }
@@ -49,17 +51,33 @@ namespace Riedel::Analysis
 
 
 
-  CutWidths
-  cut_band(const TriangleSampler &sampler,
-           const Point           &centre,
-           const Point           &normal,
-           const double           sign,
-           const double           reach,
-           const double           step)
+  std::optional<double>
+  mean_along(const TriangleSampler &sampler,
+             const Point           &place,
+             const Point           &direction,
+             const double           half_length,
+             const double           step)
+  {
+    const int n   = static_cast<int>(std::lround(half_length / step));
+    double    sum = 0.;
+    for (int i = -n; i <= n; ++i)
+      {
+        const auto value = sampler.value(advance(place, i * step, direction));
+        if (!value)
+          return std::nullopt;
+        sum += *value;
+      }
+    return sum / (2 * n + 1);
+  }
+
+
+
+  Thickness
+  cut_band(const Profile &profile, const double reach, const double step)
   {
     const auto value = [&](const int k) {
-      const auto v = sampler.value(advance(centre, k * step, normal));
-      return v ? sign * *v : -std::numeric_limits<double>::infinity();
+      return profile(k * step).value_or(
+        -std::numeric_limits<double>::infinity());
     };
 
     const int limit = static_cast<int>(std::ceil(reach / step));
@@ -74,10 +92,8 @@ namespace Riedel::Analysis
     const double peak = value(best);
     if (!(peak > 0.))
       return {nan, nan};
-    const Point maximum = advance(centre, best * step, normal);
-    const auto  ahead = half_widths(sampler, maximum, normal, sign, peak, step);
-    const auto  behind =
-      half_widths(sampler, maximum, reversed(normal), sign, peak, step);
+    const auto ahead  = half_widths(profile, best * step, 1, peak, step);
+    const auto behind = half_widths(profile, best * step, -1, peak, step);
     return {ahead[0] + behind[0], ahead[1] + behind[1]};
   }
 } // namespace Riedel::Analysis

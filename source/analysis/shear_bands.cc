@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/analysis/band_meter.h>
+#include <riedel/analysis/band_search.h>
 #include <riedel/analysis/crossings.h>
-#include <riedel/analysis/raster.h>
-#include <riedel/analysis/ridge.h>
+#include <riedel/analysis/nodal_means.h>
+#include <riedel/analysis/point_search.h>
+#include <riedel/analysis/reflections.h>
 #include <riedel/analysis/shear_bands.h>
 #include <riedel/analysis/statistics.h>
 #include <riedel/analysis/triangle_sampler.h>
-#include <riedel/analysis/void_ratio_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,71 +21,29 @@ namespace Riedel::Analysis
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-    /// Bands make up at least this share of the length of all ridges.
-    constexpr double least_share_of_bands = 0.6;
 
-    /// Distance of raster points: half a grain, but a bounded number of them.
-    double
-    raster_spacing(const TriangleSampler &sampler, const double grain_size)
+
+    void
+    check(const DeformedField &field, const BandMeasureOptions &options)
     {
-      const double most_points = 3e5;
-      const Point  size = vector_between(sampler.lower(), sampler.upper());
-      return std::max(0.5 * grain_size,
-                      std::sqrt(size[0] * size[1] / most_points));
-    }
-
-
-
-    /// Length of the edges [m] of triangles with rotations above @p level:
-    /// median over their area.
-    double
-    edge_length(const DeformedField &field, const double level)
-    {
-      std::vector<std::array<double, 2>> length_and_area;
-      double                             total = 0.;
-      for (const auto &[a, b, c] : field.triangles)
-        {
-          if (std::abs(field.rotation[a]) < level &&
-              std::abs(field.rotation[b]) < level &&
-              std::abs(field.rotation[c]) < level)
-            continue;
-          const double area =
-            0.5 *
-            std::abs(cross(vector_between(field.nodes[a], field.nodes[b]),
-                           vector_between(field.nodes[a], field.nodes[c])));
-          length_and_area.push_back({{std::sqrt(2. * area), area}});
-          total += area;
-        }
-      std::sort(length_and_area.begin(), length_and_area.end());
-      double sum = 0.;
-      for (const auto &[length, area] : length_and_area)
-        if ((sum += area) >= 0.5 * total)
-          return length;
-      return 0.;
-    }
-
-
-
-    /// Is more of the line on the ridge than on bridges?
-    bool
-    is_mostly_ridge(const Ridge &ridge)
-    {
-      const auto bridged =
-        std::count_if(ridge.points.begin(),
-                      ridge.points.end(),
-                      [](const RidgePoint &point) { return point.bridged; });
-      return 2 * static_cast<std::size_t>(bridged) < ridge.points.size();
-    }
-
-
-
-    double
-    total_length(const std::vector<Ridge> &ridges)
-    {
-      double sum = 0.;
-      for (const Ridge &ridge : ridges)
-        sum += length(ridge);
-      return sum;
+      if (!(options.grain_size > 0.))
+        throw std::logic_error(
+          "measure_shear_bands: the grain size is not set");
+      const auto fits = [](const std::vector<double> &values,
+                           const std::size_t          n) {
+        return values.empty() || values.size() == n;
+      };
+      const std::size_t n = field.points.size();
+      if (!fits(field.rotation, field.nodes.size()) || !fits(field.volume, n) ||
+          !fits(field.void_ratio, n) || !fits(field.void_ratio_change, n) ||
+          !fits(field.volume_strain, n) || !fits(field.shear_strain, n) ||
+          field.spin.size() != field.shear_strain.size() ||
+          !fits(field.friction, n))
+        throw std::logic_error(
+          "measure_shear_bands: positions and values differ in number");
+      if (field.volume.empty() &&
+          !(field.shear_strain.empty() && field.void_ratio_change.empty()))
+        throw std::logic_error("measure_shear_bands: points have no volume");
     }
 
 
@@ -114,52 +73,101 @@ namespace Riedel::Analysis
 
 
 
-    /// Void ratios at the material points nearest to the ridges.
-    void
-    measure_void_ratio_inside(ShearBands               &result,
-                              const std::vector<Ridge> &ridges,
-                              const DeformedField      &field,
-                              const double              grain_size)
-    {
-      const VoidRatioSamples samples(field, 2. * grain_size);
-      std::set<std::size_t>  on_any;
-      for (std::size_t b = 0; b < ridges.size(); ++b)
-        {
-          // points further off would show the flank, not the ridge
-          const double limit =
-            std::fmax(2. * grain_size, 0.25 * result.bands[b].thickness_50);
-          std::set<std::size_t> on_band;
-          for (const RidgePoint &point : ridges[b].points)
-            if (!point.bridged)
-              if (const auto k = samples.nearest(point.position, limit))
-                on_band.insert(*k);
-          std::vector<double> values;
-          for (const std::size_t k : on_band)
-            values.push_back(field.void_ratio[k]);
-          result.bands[b].void_ratio = median(values);
-          on_any.insert(on_band.begin(), on_band.end());
-        }
-      std::vector<double> values;
-      for (const std::size_t k : on_any)
-        values.push_back(field.void_ratio[k]);
-      result.void_ratio_inside = median(values);
-    }
+    using Indices = std::set<std::size_t>;
 
 
 
     double
-    measure_void_ratio_outside(const DeformedField   &field,
-                               const TriangleSampler &sampler,
-                               const double           most_rotation)
+    median_at(const std::vector<double> &values, const Indices &indices)
     {
-      std::vector<double> values;
+      std::vector<double> chosen;
+      for (const std::size_t k : indices)
+        if (!values.empty())
+          chosen.push_back(values[k]);
+      return median(chosen);
+    }
+
+
+
+    /// Medians over material points.
+    void
+    measure_points(const DeformedField &field,
+                   const Indices       &points,
+                   BandMeasures        &result)
+    {
+      result.void_ratio    = median_at(field.void_ratio, points);
+      result.shear_strain  = median_at(field.shear_strain, points);
+      result.volume_strain = median_at(field.volume_strain, points);
+      result.friction      = median_at(field.friction, points);
+    }
+
+
+
+    /// The material points nearest to a ridge.
+    Indices
+    points_on(const Ridge       &ridge,
+              const double       thickness,
+              const PointSearch &search,
+              const double       grain_size)
+    {
+      // points further off would show the flank, not the ridge
+      const double limit = std::fmax(2. * grain_size, 0.25 * thickness);
+      Indices      result;
+      for (const RidgePoint &point : ridge.points)
+        if (!point.bridged)
+          if (const auto k = search.nearest(point.position, limit))
+            result.insert(*k);
+      return result;
+    }
+
+
+
+    /// Points where the @p indicator is small.
+    Indices
+    points_outside(const DeformedField   &field,
+                   const TriangleSampler &indicator,
+                   const double           most)
+    {
+      Indices result;
       for (std::size_t k = 0; k < field.points.size(); ++k)
         {
-          const auto rotation = sampler.value(field.points[k]);
-          if (rotation && std::abs(*rotation) < most_rotation)
-            values.push_back(field.void_ratio[k]);
+          const auto value = indicator.value(field.points[k]);
+          if (value && std::abs(*value) < most)
+            result.insert(k);
         }
-      return median(values);
+      return result;
+    }
+
+
+
+    /// Sets the widths in a field of the points.
+    void
+    measure_thickness(const DeformedField       &field,
+                      const TriangleSearch      &search,
+                      const std::vector<double> &values,
+                      const double               background,
+                      const std::vector<Ridge>  &ridges,
+                      const BandMeter           &meter,
+                      const double               half_length,
+                      Thickness BandMeasures::*member,
+                      std::vector<ShearBand>  &bands)
+    {
+      if (values.empty())
+        return;
+      const auto            nodal = nodal_means(field, search, values);
+      const TriangleSampler sampler(search, nodal);
+      for (std::size_t b = 0; b < ridges.size(); ++b)
+        {
+          const auto          cuts = meter.cuts(ridges[b]);
+          std::vector<double> excess;
+          for (const Cut &cut : cuts)
+            if (const auto value = sampler.value(cut.centre))
+              excess.push_back(*value - background);
+          const double sign = median(excess) < 0. ? -1. : 1.;
+          bands[b].*member =
+            meter.widths(cuts, sampler, background, sign, half_length)
+              .thickness;
+        }
     }
 
 
@@ -174,7 +182,72 @@ namespace Riedel::Analysis
         values.push_back(measure(band));
       return median(values);
     }
+
+
+
+    void
+    take_medians(ShearBands &result)
+    {
+      const auto over_bands = [&](const auto &measure) {
+        return median_over(result.bands, measure);
+      };
+      for (Thickness BandMeasures::*member :
+           {&BandMeasures::thickness,
+            &BandMeasures::shear_thickness,
+            &BandMeasures::void_ratio_thickness})
+        {
+          (result.*member).at_50 = over_bands(
+            [member](const ShearBand &band) { return (band.*member).at_50; });
+          (result.*member).at_10 = over_bands(
+            [member](const ShearBand &band) { return (band.*member).at_10; });
+        }
+      result.inclination = over_bands(
+        [](const ShearBand &band) { return std::abs(band.inclination); });
+      result.spacing =
+        over_bands([](const ShearBand &band) { return band.spacing; });
+    }
   } // namespace
+
+
+
+  double
+  shear_strain(const std::array<double, 4> &F)
+  {
+    const double J = F[0] * F[3] - F[1] * F[2];
+    return std::sqrt(
+      std::max((F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3]) / J - 2.,
+               0.));
+  }
+
+
+
+  double
+  polar_rotation(const std::array<double, 4> &F)
+  {
+    return std::atan2(F[2] - F[1], F[0] + F[3]);
+  }
+
+
+
+  BandMeasures::BandMeasures()
+    : thickness{nan, nan}
+    , shear_thickness{nan, nan}
+    , void_ratio_thickness{nan, nan}
+    , inclination(nan)
+    , spacing(nan)
+    , void_ratio(nan)
+    , shear_strain(nan)
+    , volume_strain(nan)
+    , friction(nan)
+  {}
+
+
+
+  ShearBands::ShearBands()
+    : void_ratio_outside(nan)
+    , shear_strain_outside(nan)
+    , largest_rotation(nan)
+  {}
 
 
 
@@ -182,97 +255,95 @@ namespace Riedel::Analysis
   measure_shear_bands(const DeformedField      &field,
                       const BandMeasureOptions &options)
   {
-    if (!(options.grain_size > 0.))
-      throw std::logic_error("measure_shear_bands: the grain size is not set");
-    if (field.rotation.size() != field.nodes.size() ||
-        (!field.void_ratio.empty() &&
-         field.void_ratio.size() != field.points.size()))
-      throw std::logic_error(
-        "measure_shear_bands: positions and values differ in number");
+    check(field, options);
 
     ShearBands result;
-    result.thickness_50 = result.thickness_10 = nan;
-    result.inclination = result.spacing = nan;
-    result.void_ratio_inside            = nan;
-    result.void_ratio_outside           = median(field.void_ratio);
-    result.largest_rotation             = 0.;
+    result.void_ratio_outside   = median(field.void_ratio);
+    result.shear_strain_outside = median(field.shear_strain);
     for (const double rotation : field.rotation)
       result.largest_rotation =
-        std::max(result.largest_rotation, std::abs(rotation));
-    if (field.triangles.empty() ||
-        result.largest_rotation < options.least_rotation)
+        std::fmax(result.largest_rotation, std::abs(rotation));
+    if (field.triangles.empty())
+      return result;
+
+    const TriangleSearch search(field);
+    const auto           indicator = band_indicator(field, search);
+    const bool           is_polar  = !field.rotation.empty();
+    const double         least = (is_polar ? 1. : 2.) * options.least_rotation;
+    double               largest = 0.;
+    for (const double value : indicator)
+      largest = std::max(largest, std::abs(value));
+    if (largest < least)
+      return result;
+
+    const FoundBands found =
+      find_bands(field, search, indicator, least, options);
+    const auto &ridges = found.ridges;
+    if (ridges.empty())
       return result;
 
     const double          d50 = options.grain_size;
-    const TriangleSampler sampler(field);
-    const Raster raster = rasterise(sampler, raster_spacing(sampler, d50));
-    std::vector<double> magnitudes;
-    for (std::size_t k = 0; k < raster.values.size(); ++k)
-      if (raster.inside[k])
-        magnitudes.push_back(std::abs(raster.values[k]));
-    const double reference =
-      quantile(std::move(magnitudes), options.percentile / 100.);
-    const double level =
-      std::max(options.threshold * reference, options.least_rotation);
-
-    // enough smoothing to remove kinks between triangles and ripples on the
-    // back of wide bands, not more: it serves to find the ridges, widths are
-    // taken from the field itself
-    const double kinks     = 0.5 * edge_length(field, level);
-    const double ripples   = 0.12 * typical_width(raster, level);
-    const double smoothing = std::max({d50, kinks, ripples, raster.spacing});
-
-    const Raster       smooth        = smoothed(raster, smoothing);
-    const RidgeOptions ridge_options = {d50, level, raster.spacing};
-    std::vector<Ridge> ridges =
-      join_collinear(trace_ridges(smooth, ridge_options),
-                     smooth,
-                     ridge_options);
-
-    const double shortest      = std::max(options.shortest, 20. * d50);
-    const double length_of_all = total_length(ridges);
-    ridges.erase(std::remove_if(ridges.begin(),
-                                ridges.end(),
-                                [&](const Ridge &ridge) {
-                                  return length(ridge) < shortest ||
-                                         !is_mostly_ridge(ridge);
-                                }),
-                 ridges.end());
-    // in noise a few of very many ridges are long by chance
-    if (total_length(ridges) < least_share_of_bands * length_of_all)
-      ridges.clear();
-    if (ridges.empty())
-      return result;
-    std::sort(ridges.begin(), ridges.end(), [](const Ridge &a, const Ridge &b) {
-      return length(a) > length(b);
-    });
-
-    const BandMeter   meter(options, sampler, smooth, ridges, smoothing);
+    const TriangleSampler sampler(search, indicator);
+    const BandMeter       meter(
+      options, sampler, found.smooth, ridges, found.smoothing);
+    auto             &bands = result.bands;
     std::vector<Line> axes;
     for (const Ridge &ridge : ridges)
       {
-        result.bands.push_back(meter.measure(ridge));
+        bands.push_back(meter.measure(ridge));
         axes.push_back(meter.axis(ridge));
+        const auto widths =
+          meter.widths(meter.cuts(ridge), sampler, 0., ridge.sign, 0.);
+        bands.back().n_cuts = widths.n_cuts;
+        if (is_polar)
+          bands.back().thickness = widths.thickness;
       }
-    measure_spacings(result.bands, ridges, axes, d50);
-    if (!field.void_ratio.empty())
-      {
-        measure_void_ratio_inside(result, ridges, field, d50);
-        result.void_ratio_outside =
-          measure_void_ratio_outside(field, sampler, 0.05 * reference);
-      }
+    measure_spacings(bands, ridges, axes, d50);
 
-    const auto over_bands = [&](const auto &measure) {
-      return median_over(result.bands, measure);
-    };
-    result.thickness_50 =
-      over_bands([](const ShearBand &band) { return band.thickness_50; });
-    result.thickness_10 =
-      over_bands([](const ShearBand &band) { return band.thickness_10; });
-    result.inclination = over_bands(
-      [](const ShearBand &band) { return std::abs(band.inclination); });
-    result.spacing =
-      over_bands([](const ShearBand &band) { return band.spacing; });
+    const double  half_length = options.mean_length * d50;
+    const Indices outside =
+      points_outside(field, sampler, 0.05 * found.reference);
+    result.void_ratio_outside   = median_at(field.void_ratio, outside);
+    result.shear_strain_outside = median_at(field.shear_strain, outside);
+    measure_thickness(field,
+                      search,
+                      field.shear_strain,
+                      result.shear_strain_outside,
+                      ridges,
+                      meter,
+                      half_length,
+                      &BandMeasures::shear_thickness,
+                      bands);
+    measure_thickness(field,
+                      search,
+                      field.void_ratio_change,
+                      median_at(field.void_ratio_change, outside),
+                      ridges,
+                      meter,
+                      half_length,
+                      &BandMeasures::void_ratio_thickness,
+                      bands);
+
+    const PointSearch point_search(field, 2. * d50);
+    Indices           on_any;
+    for (std::size_t b = 0; b < ridges.size(); ++b)
+      {
+        const Indices on_band =
+          points_on(ridges[b],
+                    is_polar ? bands[b].thickness.at_50 :
+                               bands[b].shear_thickness.at_50,
+                    point_search,
+                    d50);
+        measure_points(field, on_band, bands[b]);
+        on_any.insert(on_band.begin(), on_band.end());
+      }
+    measure_points(field, on_any, result);
+    take_medians(result);
+
+    const double thickness =
+      is_polar ? result.thickness.at_50 : result.shear_thickness.at_50;
+    result.n_reflections = count_reflections(
+      ridges, search, d50, 10. * d50 + std::fmax(thickness, 0.));
     return result;
   }
 } // namespace Riedel::Analysis

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/continuum/generalised.h>
+#include <riedel/continuum/mobilised_friction.h>
 #include <riedel/continuum/step_kinematics.h>
 #include <riedel/element_test/element_test.h>
 
@@ -14,21 +15,6 @@ namespace Riedel::ElementTest
   namespace
   {
     using Components = Continuum::Generalised<2>;
-
-
-
-    /// Angle [deg] whose sine is the largest shear stress in the plane over
-    /// the mean pressure in the plane (symmetric part); 90 at no pressure.
-    double
-    friction_angle(const double *stress)
-    {
-      const double shear =
-        std::hypot(.5 * (stress[0] - stress[1]), .5 * (stress[3] + stress[4]));
-      const double pressure = -.5 * (stress[0] + stress[1]);
-      if (!(shear < pressure))
-        return 90.;
-      return std::asin(shear / pressure) * 180. / 3.14159265358979323846;
-    }
   } // namespace
 
 
@@ -77,7 +63,7 @@ namespace Riedel::ElementTest
         deviators += deviator * deviator;
       }
     row.deviator           = std::sqrt(1.5 * deviators);
-    row.mobilised_friction = friction_angle(stress);
+    row.mobilised_friction = Continuum::mobilised_friction(stress);
     if (parameters.is_undrained())
       row.excess_pore_pressure = stress[1] + parameters.vertical_pressure;
   }

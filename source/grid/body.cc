@@ -90,6 +90,17 @@ namespace Riedel::Grid
     grid_box = dealii::GridTools::compute_bounding_box(tria);
     if (!geometry.file.empty())
       box = grid_box;
+    if (parameters.periodic_axis)
+      {
+        // so that a rank's ghost cells include those across the tie
+        const unsigned int axis = *parameters.periodic_axis;
+        std::vector<dealii::GridTools::PeriodicFacePair<
+          typename dealii::Triangulation<dim>::cell_iterator>>
+          pairs;
+        dealii::GridTools::collect_periodic_faces(
+          tria, 2 * axis, 2 * axis + 1, axis, pairs);
+        tria.add_periodicity(pairs);
+      }
     tria.refine_global(parameters.refinements);
   }
 

@@ -197,6 +197,13 @@ namespace Riedel::Grid
                       "Cells of the grid beyond the body, into which it can "
                       "move: \"left, right, bottom, top\"; for the "
                       "configuration current.");
+    prm.declare_entry("Periodic",
+                      "no",
+                      Patterns::Selection("no|left and right|bottom and top"),
+                      "Two sides of a box that are tied: displacements and "
+                      "rotations are the same at opposite places, as if the "
+                      "body repeated itself without end; for the configuration "
+                      "initial.");
     prm.declare_entry("Displacement degree",
                       "automatic",
                       Patterns::Selection("1|2|automatic"),
@@ -241,6 +248,11 @@ namespace Riedel::Grid
     configuration = prm.get("Reference configuration") == "current" ?
                       ReferenceConfiguration::current :
                       ReferenceConfiguration::initial;
+
+    const std::string periodic = prm.get("Periodic");
+    periodic_axis.reset();
+    if (periodic != "no")
+      periodic_axis = periodic == "left and right" ? 0 : 1;
 
     const auto degree = [&prm](const std::string &name,
                                const unsigned int automatic) {
@@ -313,6 +325,16 @@ namespace Riedel::Grid
       problems.error("Grid/Margin cells",
                      "Finite elements end where the body ends. Remove it, or "
                      "\"set Reference configuration = current\".");
+
+    if (periodic_axis && !geometry.file.empty())
+      problems.error("Grid/Periodic",
+                     "Only the sides of a Box can be tied; this body comes "
+                     "from a File.");
+    if (periodic_axis && configuration == ReferenceConfiguration::current)
+      problems.error("Grid/Periodic",
+                     "Points that move cannot leave at one side and come back "
+                     "at the other. Remove it, or \"set Reference "
+                     "configuration = initial\".");
 
     if (sampling == StrainSampling::assumed &&
         displacement_degree != rotation_degree)

@@ -35,6 +35,7 @@ namespace Riedel::Grid
     : micropolar(micropolar)
     , reaches_into_ghost_cells(parameters.configuration ==
                                ReferenceConfiguration::current)
+    , periodic_axis(parameters.periodic_axis)
     , fe(make_element<dim>(parameters, micropolar))
     , dofs(triangulation)
   {
@@ -58,6 +59,12 @@ namespace Riedel::Grid
 
     Compat::reinit_constraints(hanging, owned_dofs, relevant_dofs);
     dealii::DoFTools::make_hanging_node_constraints(dofs, hanging);
+    if (periodic_axis)
+      {
+        const unsigned int lower = 2 * *periodic_axis;
+        dealii::DoFTools::make_periodicity_constraints(
+          dofs, lower, lower + 1, *periodic_axis, hanging);
+      }
     if (reaches_into_ghost_cells)
       add_masters_in_ghost_cells();
     hanging.close();

@@ -59,15 +59,17 @@ namespace Riedel::Material
                       Double(),
                       "Exponent n of the compression law. Dimensionless.",
                       true);
-    // The classical law knows the polar constants too, and ignores them: to
-    // compare, one changes only the law.
+    // The classical law knows the polar constants too, its stresses ignore
+    // them: to compare, one changes only the law.
     const std::string ignored =
       micropolar ? "" : " The classical law ignores it.";
     prm.declare_entry("Mean grain diameter",
                       "0",
                       Double(),
-                      "Length d_50 that sets the width of shear bands [m]." +
-                        ignored,
+                      micropolar ?
+                        "Length d_50 that sets the width of shear bands [m]." :
+                        "Length d_50 [m]; the classical law only measures "
+                        "shear bands and sizes of cells by it.",
                       micropolar);
     prm.declare_entry("Polar constant",
                       "1/a1",
@@ -112,9 +114,10 @@ namespace Riedel::Material
     constants.maximum_void_ratio  = prm.get_double("Maximum void ratio");
     constants.density_exponent    = prm.get_double("Density exponent");
     constants.hardness_exponent   = prm.get_double("Hardness exponent");
+    grain_diameter                = prm.get_double("Mean grain diameter");
     if (micropolar)
       {
-        constants.mean_grain_diameter = prm.get_double("Mean grain diameter");
+        constants.mean_grain_diameter = grain_diameter;
         polar_constant                = prm.get("Polar constant");
 
         constants.polar_number  = 0.;

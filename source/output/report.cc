@@ -6,6 +6,7 @@
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -183,15 +184,18 @@ namespace Riedel::Output
   {
     if (bands.bands.empty())
       return "no shear bands.";
+    const bool  is_polar = !std::isnan(bands.thickness.at_50);
+    const auto &widths   = is_polar ? bands.thickness : bands.shear_thickness;
     return format(
       "%zu shear bands: thickness %.2f d50 at 50 %% and %.2f d50 at "
-      "10 %% of the rotation, inclination %.1f deg, void ratio "
+      "10 %% of the %s, inclination %.1f deg, void ratio "
       "%.3f inside and %.3f outside.",
       bands.bands.size(),
-      bands.thickness_50 / grain_size,
-      bands.thickness_10 / grain_size,
+      widths.at_50 / grain_size,
+      widths.at_10 / grain_size,
+      is_polar ? "rotation" : "shear strain",
       bands.inclination,
-      bands.void_ratio_inside,
+      bands.void_ratio,
       bands.void_ratio_outside);
   }
 

@@ -181,21 +181,45 @@ namespace Riedel::Output
   bands_row(const unsigned int          step,
             const double                load,
             const Analysis::ShearBands &bands,
+            const BandAngles           &angles,
             const double                grain_size)
   {
-    return {{"step [1]", step},
-            {"load [1]", load},
-            {"bands [1]", static_cast<double>(bands.bands.size())},
-            {"thickness at 50 % [mm]", 1e3 * bands.thickness_50},
-            {"thickness at 10 % [mm]", 1e3 * bands.thickness_10},
-            {"thickness at 50 % [d50]", bands.thickness_50 / grain_size},
-            {"thickness at 10 % [d50]", bands.thickness_10 / grain_size},
-            {"inclination [deg]", bands.inclination},
-            {"spacing [mm]", 1e3 * bands.spacing},
-            {"spacing [d50]", bands.spacing / grain_size},
-            {"void ratio inside [1]", bands.void_ratio_inside},
-            {"void ratio outside [1]", bands.void_ratio_outside},
-            {"largest rotation [rad]", bands.largest_rotation}};
+    Row        row        = {{"step [1]", step},
+                             {"load [1]", load},
+                             {"bands [1]", static_cast<double>(bands.bands.size())}};
+    const auto add_widths = [&](const std::string         &name,
+                                const Analysis::Thickness &thickness) {
+      row.emplace_back(name + " at 50 % [mm]", 1e3 * thickness.at_50);
+      row.emplace_back(name + " at 10 % [mm]", 1e3 * thickness.at_10);
+      row.emplace_back(name + " at 50 % [d50]", thickness.at_50 / grain_size);
+      row.emplace_back(name + " at 10 % [d50]", thickness.at_10 / grain_size);
+    };
+    add_widths("thickness", bands.thickness);
+    const Row middle = {{"inclination [deg]", bands.inclination},
+                        {"spacing [mm]", 1e3 * bands.spacing},
+                        {"spacing [d50]", bands.spacing / grain_size},
+                        {"void ratio inside [1]", bands.void_ratio},
+                        {"void ratio outside [1]", bands.void_ratio_outside},
+                        {"largest rotation [rad]", bands.largest_rotation},
+                        {"reflections [1]", bands.n_reflections}};
+    row.insert(row.end(), middle.begin(), middle.end());
+    add_widths("thickness of shear strain", bands.shear_thickness);
+    add_widths("thickness of void ratio", bands.void_ratio_thickness);
+    row.emplace_back("shear strain inside [1]", bands.shear_strain);
+    row.emplace_back("shear strain outside [1]", bands.shear_strain_outside);
+    row.emplace_back("angle to minor stress [deg]", angles.to_minor_stress);
+    for (const auto &[place, mobilised] :
+         {std::make_pair("at peak", angles.at_peak),
+          std::make_pair("inside", angles.inside)})
+      {
+        const std::string end = std::string(" ") + place + " [deg]";
+        row.emplace_back("friction" + end, mobilised.friction);
+        row.emplace_back("dilatancy" + end, mobilised.dilatancy);
+        row.emplace_back("Coulomb angle" + end, coulomb_angle(mobilised));
+        row.emplace_back("Roscoe angle" + end, roscoe_angle(mobilised));
+        row.emplace_back("Arthur angle" + end, arthur_angle(mobilised));
+      }
+    return row;
   }
 
 

@@ -243,6 +243,25 @@ namespace Riedel::Scene
                   "with one of the Plates.");
         }
     }
+
+
+
+    template <int dim>
+    void
+    check_periodic(const Scene<dim> &scene, Problems &problems)
+    {
+      for (const auto &boundary : scene.boundary_conditions.boundaries)
+        for (const auto &[id, name] : scene.geometry.boundary_names)
+          if (name == boundary.name && scene.grid.is_periodic(id))
+            problems.error("Boundary conditions/" + name,
+                           "By Grid/Periodic this side is tied to the opposite "
+                           "one and has no conditions of its own. Remove one "
+                           "of the two.");
+      if (scene.grid.periodic_axis && !scene.adaptation.criteria.empty())
+        problems.error("Adaptation/Criteria",
+                       "A periodic grid (Grid/Periodic) does not change. "
+                       "Remove one of the two.");
+    }
   } // namespace
 
 
@@ -276,7 +295,7 @@ namespace Riedel::Scene
                                             "void_ratio") !=
                                           Material::StateLayout::absent;
                                  }),
-                     Adaptation::smallest_length(materials),
+                     Adaptation::smallest_grain_size(materials),
                      /*points_move=*/grid.configuration !=
                        Grid::ReferenceConfiguration::initial,
                      problems);
@@ -305,6 +324,7 @@ namespace Riedel::Scene
         check_places(*this, body, problems);
         check_pressures(*this, problems);
         check_sides_of_moving_points(*this, problems);
+        check_periodic(*this, problems);
         check_plates(*this, body, problems);
       }
     if (is_box || !geometry.file.empty())

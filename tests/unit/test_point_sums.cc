@@ -44,7 +44,7 @@ namespace
         points),
       options);
     REQUIRE(bands.bands.size() == 1);
-    return bands.thickness_50;
+    return bands.thickness.at_50;
   }
 } // namespace
 
@@ -66,4 +66,99 @@ TEST_CASE("The field of the points shows a band as thick as it is", "[points]")
   // why: means alone are too wide, a full projection overshoots at the ridge
   CHECK(ratio(3.0, 0) > 1.05);
   CHECK(ratio(3.0, 5) < 0.95);
+}
+
+
+
+namespace
+{
+  /**
+   * The thickness at half of the shear strain over @p width if the grid (finite
+   * elements) or the points that move through it have been sheared by a sech^2
+   * band of thickness @p width [m], by 0.8 at most, along 45 degrees.
+   */
+  double
+  measured_shear_width(const double       width,
+                       const std::string &configuration,
+                       const std::string &law)
+  {
+    const auto scene =
+      Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/points/band.prm",
+                           {"Grid/Reference configuration=" + configuration,
+                            "Materials/sand/Law=" + law});
+    const bool                is_moving = configuration == "current";
+    Grid::Body<2>             body(MPI_COMM_SELF, scene.geometry, scene.grid);
+    const Grid::Space<2>      space(body.triangulation(),
+                               scene.grid,
+                               scene.materials.is_micropolar());
+    Points::MaterialPoints<2> points(body.triangulation(),
+                                     scene.materials,
+                                     is_moving ? &scene.moving_points :
+                                                 nullptr);
+    const auto                supports =
+      Points::SupportBuilder<2>::create(space,
+                                        scene.grid,
+                                        scene.moving_points,
+                                        std::vector<bool>(4, false),
+                                        true);
+    points.seed(supports->quadrature(), scene.initial_state, body.extent());
+
+    const double k     = 2.0 * std::acosh(std::sqrt(2.0)) / width;
+    const double gamma = 0.8, half = std::sqrt(0.5);
+    const auto   across = [&](const dealii::Point<2> &x) {
+      const auto r = x - body.extent().center();
+      return k * half * (r[1] - r[0]);
+    };
+    // slip along the band: both components alike
+    const auto slip = [&](const dealii::Point<2> &x) {
+      return half * gamma / k * std::tanh(across(x));
+    };
+    std::vector<double> solution(space.relevant().n_elements(), 0.0);
+    for (unsigned int i = 0; i < solution.size(); ++i)
+      if (space.components()[i] < 2)
+        solution[i] = slip(space.nodes()[i]);
+      else
+        // in simple shear grains turn by half of the angle
+        solution[i] =
+          -0.5 * gamma / std::pow(std::cosh(across(space.nodes()[i])), 2);
+    supports->rebuild(solution, points);
+    if (is_moving)
+      for (unsigned int p = 0; p < points.n_points(); ++p)
+        {
+          const double slope =
+            0.5 * gamma / std::pow(std::cosh(across(points.position(p))), 2);
+          double *F = points.row(p) + points.place.deformation_gradient;
+          F[0]      = 1.0 - slope;
+          F[1]      = slope;
+          F[2]      = -slope;
+          F[3]      = 1.0 + slope;
+        }
+
+    Analysis::BandMeasureOptions options;
+    options.grain_size = 0.5e-3;
+    const auto bands   = Analysis::measure_shear_bands(
+      Analysis::collect_deformed_field(space, solution, points), options);
+    REQUIRE(bands.bands.size() == 1);
+    CHECK(bands.inclination == Approx(45.).margin(0.1));
+    CHECK(bands.shear_strain == Approx(gamma).epsilon(0.03));
+    CHECK(std::abs(bands.volume_strain) < 0.02);
+    return bands.shear_thickness.at_50 / width;
+  }
+} // namespace
+
+
+
+TEST_CASE("Shear strain is the same in finite elements and of moving points",
+          "[points]")
+{
+  const std::string configuration = GENERATE("initial", "current");
+  const std::string law = GENERATE("polar hypoplastic", "hypoplastic");
+  CAPTURE(configuration, law);
+  for (const double cells : {4.0, 6.0})
+    {
+      const double ratio =
+        measured_shear_width(cells * 2.5e-3, configuration, law);
+      INFO(cells << " cells thick: measured " << ratio);
+      CHECK(std::abs(ratio - 1.0) < 0.02);
+    }
 }

@@ -180,8 +180,8 @@ TEST_CASE("width and inclination of one band", "[unit]")
   const ShearBand &found = result.bands[0];
   CHECK(found.sign == -1.);
   CHECK(std::abs(found.inclination - angle) < 0.2);
-  check_close(found.thickness_50, band.width, 0.02);
-  check_close(found.thickness_10, width_10(band), 0.02);
+  check_close(found.thickness.at_50, band.width, 0.02);
+  check_close(found.thickness.at_10, width_10(band), 0.02);
   check_close(found.rotation, -0.2, 0.03);
   CHECK(found.n_cuts > 20);
   CHECK(std::isnan(found.spacing));
@@ -193,8 +193,8 @@ TEST_CASE("width and inclination of one band", "[unit]")
   CHECK(found.length > 0.9 * chord - 4. * grain_size);
   CHECK(found.length < 1.05 * chord);
 
-  CHECK(result.thickness_50 == found.thickness_50);
-  CHECK(result.thickness_10 == found.thickness_10);
+  CHECK(result.thickness.at_50 == found.thickness.at_50);
+  CHECK(result.thickness.at_10 == found.thickness.at_10);
   CHECK(result.inclination == std::abs(found.inclination));
 }
 
@@ -222,8 +222,8 @@ TEST_CASE("width on a deformed triangulation", "[unit]")
     deform));
 
   REQUIRE(result.bands.size() == 1);
-  check_close(result.thickness_50, band.width, 0.02);
-  check_close(result.thickness_10, width_10(band), 0.02);
+  check_close(result.thickness.at_50, band.width, 0.02);
+  check_close(result.thickness.at_10, width_10(band), 0.02);
   CHECK(std::abs(result.inclination - 55.) < 0.3);
 }
 
@@ -258,8 +258,8 @@ TEST_CASE("slits between triangles do no harm", "[unit]")
 
   const ShearBands result = measure(slit), expected = measure(whole);
   REQUIRE(result.bands.size() == 1);
-  check_close(result.thickness_50, expected.thickness_50, 0.01);
-  check_close(result.thickness_10, expected.thickness_10, 0.01);
+  check_close(result.thickness.at_50, expected.thickness.at_50, 0.01);
+  check_close(result.thickness.at_10, expected.thickness.at_10, 0.01);
   CHECK(result.bands[0].n_cuts + 5 > expected.bands[0].n_cuts);
 }
 
@@ -276,8 +276,8 @@ TEST_CASE("four bands that cross and are reflected", "[unit]")
     measure(reflected_field(bands, width < 4e-3 ? 0.5e-3 : 1.25e-3));
 
   REQUIRE(result.bands.size() == 4);
-  check_close(result.thickness_50, width, 0.02);
-  check_close(result.thickness_10, width_10(bands[0]), 0.02);
+  check_close(result.thickness.at_50, width, 0.02);
+  check_close(result.thickness.at_10, width_10(bands[0]), 0.02);
   CHECK(std::abs(result.inclination - angle) < 0.5);
 
   // the lines of one sign are one height over tan(angle) apart, horizontally
@@ -290,7 +290,7 @@ TEST_CASE("four bands that cross and are reflected", "[unit]")
       // sign and inclination belong together
       CHECK(band.sign * band.inclination > 0.);
       CHECK(std::abs(std::abs(band.inclination) - angle) < 0.6);
-      check_close(band.thickness_50, width, 0.025);
+      check_close(band.thickness.at_50, width, 0.025);
       check_close(band.rotation, band.sign * (b < 2 ? 0.25 : 0.30), 0.07);
       // a crossing does not cut a band: the crossed ones span the height
       const double chord =
@@ -314,7 +314,7 @@ TEST_CASE("four bands on a grid as coarse as the bands", "[unit]")
     measure(reflected_field(reflected_bands(angle, width), 5e-3));
   REQUIRE(result.bands.size() == 4);
   // linear interpolation itself widens bands narrower than a cell
-  check_close(result.thickness_50, width, width < 5e-3 ? 0.3 : 0.1);
+  check_close(result.thickness.at_50, width, width < 5e-3 ? 0.3 : 0.1);
   CHECK(std::abs(result.inclination - angle) < 3.);
 }
 
@@ -328,7 +328,7 @@ TEST_CASE("four wide bands", "[unit]")
     measure(reflected_field(reflected_bands(45., width), cell));
   REQUIRE(result.bands.size() == 4);
   // where four bands overlap as much as this, each is thinner than alone
-  check_close(result.thickness_50, width, 0.05);
+  check_close(result.thickness.at_50, width, 0.05);
   for (const ShearBand &band : result.bands)
     CHECK(band.n_cuts > 10);
 }
@@ -346,7 +346,7 @@ TEST_CASE("bands of one sign that cross stay two", "[unit]")
   REQUIRE(result.bands.size() == 2);
   for (const ShearBand &band : result.bands)
     {
-      check_close(band.thickness_50, width, 0.02);
+      check_close(band.thickness.at_50, width, 0.02);
       check_close(band.rotation, 0.2, 0.02);
       CHECK(std::isnan(band.spacing));
     }
@@ -398,10 +398,10 @@ TEST_CASE("a cut ends where the next band begins", "[unit]")
   for (const ShearBand &band : result.bands)
     {
       CHECK(band.n_cuts > 10);
-      check_close(band.thickness_50, width, 0.1);
-      CHECK(std::isnan(band.thickness_10));
+      check_close(band.thickness.at_50, width, 0.1);
+      CHECK(std::isnan(band.thickness.at_10));
     }
-  CHECK(std::isnan(result.thickness_10));
+  CHECK(std::isnan(result.thickness.at_10));
 }
 
 
@@ -443,11 +443,11 @@ TEST_CASE("no band where there is none", "[unit]")
     field.void_ratio        = {0.5, 0.6, 0.8};
     const ShearBands result = measure(field);
     CHECK(result.bands.empty());
-    CHECK(std::isnan(result.thickness_50));
-    CHECK(std::isnan(result.thickness_10));
+    CHECK(std::isnan(result.thickness.at_50));
+    CHECK(std::isnan(result.thickness.at_10));
     CHECK(std::isnan(result.inclination));
     CHECK(std::isnan(result.spacing));
-    CHECK(std::isnan(result.void_ratio_inside));
+    CHECK(std::isnan(result.void_ratio));
     CHECK(result.void_ratio_outside == 0.6);
     return result.largest_rotation;
   };
@@ -502,8 +502,8 @@ TEST_CASE("bands in noise", "[unit]")
     },
     undeformed));
   REQUIRE(result.bands.size() == 4);
-  check_close(result.thickness_50, width, 0.07);
-  check_close(result.thickness_10, width_10(bands[0]), 0.07);
+  check_close(result.thickness.at_50, width, 0.07);
+  check_close(result.thickness.at_10, width_10(bands[0]), 0.07);
 }
 
 
@@ -527,10 +527,185 @@ TEST_CASE("void ratio in and outside the bands", "[unit]")
 
   const ShearBands result = measure(field);
   REQUIRE(result.bands.size() == 4);
-  CHECK(result.void_ratio_inside == Approx(0.740).margin(0.001));
+  CHECK(result.void_ratio == Approx(0.740).margin(0.001));
   CHECK(result.void_ratio_outside == Approx(0.596).margin(0.001));
   for (const ShearBand &band : result.bands)
     CHECK(band.void_ratio == Approx(0.740).margin(0.001));
+}
+
+
+
+namespace
+{
+  /// Material points like those of cells of @p cell [m], with the fields of
+  /// bands of shear strain and, of another width, of the void ratio's change.
+  void
+  add_points(DeformedField                    &field,
+             const std::vector<SyntheticBand> &shear,
+             const std::vector<SyntheticBand> &change,
+             const double                      height,
+             const double                      cell,
+             const unsigned int                per_axis)
+  {
+    // Gauss points are no lattice, nor are these
+    const double distance = cell / per_axis;
+    const auto   place    = [&](const unsigned int k) {
+      return distance * (k + 0.5 + (k % per_axis ? -0.08 : 0.08));
+    };
+    const unsigned int nx = std::lround(0.1 / distance);
+    const unsigned int ny = std::lround(height / distance);
+    for (unsigned int j = 0; j < ny; ++j)
+      for (unsigned int i = 0; i < nx; ++i)
+        {
+          const Point  point = {{place(i), place(j)}};
+          const double gamma = rotation_at(shear, point);
+          field.points.push_back(point);
+          field.volume.push_back(distance * distance);
+          // all the body is compressed before the bands form
+          field.shear_strain.push_back(0.05 + std::abs(gamma));
+          field.spin.push_back(0.5 * gamma);
+          field.void_ratio_change.push_back(0.01 + rotation_at(change, point));
+          field.void_ratio.push_back(0.6 + field.void_ratio_change.back());
+          field.volume_strain.push_back(
+            std::log1p(field.void_ratio_change.back() / 1.6));
+          field.friction.push_back(40. - 20. * std::abs(gamma));
+        }
+  }
+} // namespace
+
+
+
+TEST_CASE("thickness of shear strain and void ratio", "[unit]")
+{
+  const bool         is_polar = GENERATE(true, false);
+  const bool         sech     = GENERATE(false, true);
+  const double       angle    = GENERATE(-78., -45., 13., 52., 90.);
+  const unsigned int per_axis = GENERATE(2u, 3u);
+  const double       cell     = 1.25e-3;
+  CAPTURE(is_polar, sech, angle, per_axis);
+
+  // that of the void ratio is wider, and of a sign of its own
+  const double        dilates = GENERATE(1., -1.);
+  const Point         through = {{0.05, 0.031}};
+  const SyntheticBand shear   = {through, angle, -0.6, 6e-3, sech};
+  const SyntheticBand change  = {through, angle, 0.1 * dilates, 8e-3, sech};
+  const SyntheticBand turn    = {through, angle, -0.3, 5e-3, sech};
+
+  DeformedField field = make_field(
+    0.1,
+    0.06,
+    cell,
+    [&](const Point &point) { return rotation_at({turn}, point); },
+    undeformed);
+  add_points(field, {shear}, {change}, 0.06, cell, per_axis);
+  if (!is_polar)
+    field.rotation.clear();
+  const ShearBands result = measure(field);
+
+  REQUIRE(result.bands.size() == 1);
+  CHECK(result.bands[0].sign == -1.);
+  CHECK(std::abs(result.bands[0].inclination - angle) < 0.2);
+  check_close(result.shear_thickness.at_50, shear.width, 0.02);
+  check_close(result.shear_thickness.at_10, width_10(shear), 0.02);
+  check_close(result.void_ratio_thickness.at_50, change.width, 0.02);
+  check_close(result.void_ratio_thickness.at_10, width_10(change), 0.02);
+  CHECK(result.shear_strain_outside == Approx(0.05).margin(0.001));
+  // of the points nearest to the ridge
+  CHECK(result.shear_strain == Approx(0.65).margin(0.02));
+  CHECK(result.friction == Approx(28.).margin(0.4));
+  CHECK(result.volume_strain ==
+        Approx(std::log1p((0.01 + 0.1 * dilates) / 1.6)).margin(0.002));
+  CHECK(result.n_reflections == 0);
+  if (is_polar)
+    check_close(result.thickness.at_50, turn.width, 0.02);
+  else
+    {
+      CHECK(std::isnan(result.thickness.at_50));
+      CHECK(std::isnan(result.largest_rotation));
+    }
+}
+
+
+
+TEST_CASE("four bands of a classical continuum", "[unit]")
+{
+  const double  angle = GENERATE(45., 55.);
+  const auto    bands = reflected_bands(angle, 5e-3);
+  DeformedField field = reflected_field(bands, 1.25e-3);
+  field.rotation.clear();
+  add_points(field, bands, bands, 0.05, 1.25e-3, 3);
+  const ShearBands result = measure(field);
+
+  REQUIRE(result.bands.size() == 4);
+  check_close(result.shear_thickness.at_50, 5e-3, 0.02);
+  CHECK(std::abs(result.inclination - angle) < 0.6);
+  check_close(result.spacing, 0.05 * std::cos(angle * M_PI / 180.), 0.02);
+  CHECK(result.n_reflections == 3);
+}
+
+
+
+TEST_CASE("homogeneous shear without rotation is no band", "[unit]")
+{
+  DeformedField field = make_field(
+    0.1, 0.06, 2.5e-3, [](const Point &) { return 0.; }, undeformed);
+  field.rotation.clear();
+  add_points(field, {}, {}, 0.06, 2.5e-3, 2);
+  // a zone that is stretched more than the rest
+  for (std::size_t p = 0; p < field.points.size(); ++p)
+    if (std::abs(field.points[p][0] - 0.05) < 0.01)
+      field.shear_strain[p] = 0.3;
+  const ShearBands result = measure(field);
+  CHECK(result.bands.empty());
+  CHECK(result.void_ratio_outside == Approx(0.61));
+  CHECK(std::isnan(result.shear_thickness.at_50));
+}
+
+
+
+TEST_CASE("reflections of bands", "[unit]")
+{
+  const double angle = GENERATE(45., 55.);
+  const double width = GENERATE(2.25e-3, 6e-3);
+  const double cell  = width < 4e-3 ? 0.5e-3 : 1.25e-3;
+  const auto   all   = reflected_bands(angle, width);
+  // at the weak spot, at the top and at the bottom
+  CHECK(measure(reflected_field(all, cell)).n_reflections == 3);
+  // the band downwards from the weak spot, and its reflection
+  CHECK(measure(reflected_field({all[1], all[2]}, cell)).n_reflections == 1);
+  // bands of one sign do not reflect each other, nor do those that end apart
+  CHECK(measure(reflected_field({all[0], all[2]}, cell)).n_reflections == 0);
+  auto apart = all[2];
+  apart.through[0] += 0.02;
+  CHECK(measure(reflected_field({all[1], apart}, cell)).n_reflections == 0);
+}
+
+
+
+TEST_CASE("shear and rotation of a deformation gradient", "[unit]")
+{
+  // simple shear by 0.8 in a direction of 25 degrees, expanded, then rotated
+  const double gamma = 0.8, turn = 0.7, factor = 1.3;
+  const auto   product = [](const std::array<double, 4> &a,
+                          const std::array<double, 4> &b) {
+    return std::array<double, 4>{{a[0] * b[0] + a[1] * b[2],
+                                  a[0] * b[1] + a[1] * b[3],
+                                  a[2] * b[0] + a[3] * b[2],
+                                  a[2] * b[1] + a[3] * b[3]}};
+  };
+  const Point                 m     = unit_vector(25. * M_PI / 180.);
+  const std::array<double, 4> shear = {{factor * (1. - gamma * m[0] * m[1]),
+                                        factor * gamma * m[0] * m[0],
+                                        -factor * gamma * m[1] * m[1],
+                                        factor * (1. + gamma * m[0] * m[1])}};
+  const std::array<double, 4> R     = {
+        {std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn)}};
+  CHECK(shear_strain(product(R, shear)) == Approx(gamma).epsilon(1e-12));
+  CHECK(polar_rotation(product(R, shear)) ==
+        Approx(turn - std::atan(gamma / 2.)).epsilon(1e-12));
+  // small strains: their difference
+  CHECK(shear_strain({{1.0001, 0., 0., 0.9998}}) == Approx(3e-4).epsilon(1e-3));
+  CHECK(shear_strain(R) == Approx(0.).margin(1e-7));
 }
 
 
@@ -547,7 +722,12 @@ TEST_CASE("bands need a grain size and complete fields", "[unit]")
   field.void_ratio = {0.6};
   CHECK_THROWS_AS(measure(field), std::logic_error);
 
-  field.void_ratio = {0.6, 0.6};
+  field.void_ratio   = {0.6, 0.6};
+  field.shear_strain = field.spin = {0.1, 0.1};
+  CHECK_THROWS_AS(measure(field), std::logic_error); // no volumes
+  field.shear_strain.clear();
+  field.spin.clear();
+
   field.rotation.pop_back();
   CHECK_THROWS_AS(measure(field), std::logic_error);
 

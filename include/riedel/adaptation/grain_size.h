@@ -7,15 +7,15 @@
 
 namespace Riedel::Adaptation
 {
-  /// The smallest length of the laws that have one, d50 [m]; 0 if none has.
+  /// The smallest grain size of the laws, d50 [m]; 0 if none has one.
   template <int dim>
   double
-  smallest_length(const Material::Parameters<dim> &materials)
+  smallest_grain_size(const Material::Parameters<dim> &materials)
   {
     double smallest = 0.0;
     for (const auto &material : materials.materials)
-      if (const double length = material.law->length(); length > 0.0)
-        smallest = smallest > 0.0 ? std::min(smallest, length) : length;
+      if (const double size = material.law->grain_size(); size > 0.0)
+        smallest = smallest > 0.0 ? std::min(smallest, size) : size;
     return smallest;
   }
 } // namespace Riedel::Adaptation

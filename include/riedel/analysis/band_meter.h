@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/analysis/cuts.h>
 #include <riedel/analysis/geometry.h>
 #include <riedel/analysis/raster.h>
 #include <riedel/analysis/ridge.h>
@@ -22,10 +23,10 @@ namespace Riedel::Analysis
   public:
     /**
      * @param options Spacing and clearance of cuts.
-     * @param sampler The rotation, from which widths are taken.
+     * @param sampler What the bands have been found by.
      * @param raster Tells the distance from boundaries.
      * @param ridges All bands, since they cross each other.
-     * @param maximum_reach How far beside the ridge the largest rotation of a
+     * @param maximum_reach How far beside the ridge the largest value of a
      *   cut is sought [m].
      */
     BandMeter(const BandMeasureOptions &options,
@@ -34,9 +35,32 @@ namespace Riedel::Analysis
               const std::vector<Ridge> &ridges,
               double                    maximum_reach);
 
-    /// All but spacing and void ratio.
+    /// Sign, length, inclination, rotation and centre.
     ShearBand
     measure(const Ridge &ridge) const;
+
+    /// Where the ridge is cut: from its undisturbed points, in equal distances.
+    std::vector<Cut>
+    cuts(const Ridge &ridge) const;
+
+    struct Widths
+    {
+      Thickness    thickness; ///< medians over the cuts
+      unsigned int n_cuts;    ///< cuts that gave the width at 50 %
+    };
+
+    /**
+     * Widths of sign * (field - background), see cut_band(). Values are means
+     * along the band over @p half_length [m] to both sides of the cut: what the
+     * points carry scatters between the points of a cell, and a mean along a
+     * straight band does not widen it.
+     */
+    Widths
+    widths(const std::vector<Cut> &cuts,
+           const TriangleSampler  &field,
+           double                  background,
+           double                  sign,
+           double                  half_length) const;
 
     /// Straight line through the undisturbed part of the ridge.
     Line

@@ -2,28 +2,41 @@
 #pragma once
 
 #include <riedel/analysis/geometry.h>
+#include <riedel/analysis/shear_bands.h>
 #include <riedel/analysis/triangle_sampler.h>
+
+#include <functional>
+#include <optional>
 
 namespace Riedel::Analysis
 {
-  /// Full widths of a band on one straight cut [m]; NaN where the cut leaves
-  /// the body or enters another band before it reaches the level.
-  struct CutWidths
+  /// A straight line across a band.
+  struct Cut
   {
-    double at_50; ///< where the rotation is 50 % of the local maximum
-    double at_10; ///< where it is 10 %
+    Point centre; ///< on the ridge [m]
+    Point normal; ///< unit vector across the band
   };
 
+  /// Mean of a field over a piece of a straight line, in samples of distance @p
+  /// step [m] up to @p half_length [m] to both sides of a place; nothing if one
+  /// of them lies outside the body.
+  std::optional<double>
+  mean_along(const TriangleSampler &sampler,
+             const Point           &place,
+             const Point           &direction,
+             double                 half_length,
+             double                 step);
+
   /**
-   * Cuts a band at @p centre along the unit vector @p normal. The local
-   * maximum of sign * rotation is sought within @p reach [m] of the centre,
-   * and uphill from there; @p step [m] is the distance of the samples.
+   * Full widths of a band where a profile across it is at 50 and 10 % of its
+   * local maximum; NaN where it leaves the body or enters another band before
+   * it reaches the level. @p profile: of the distance from the ridge [m], a
+   * maximum in the band and zero beside it; nothing outside the body. The
+   * maximum is sought within @p reach [m] of the ridge, and uphill from there;
+   * @p step [m] is the distance of the samples.
    */
-  CutWidths
-  cut_band(const TriangleSampler &sampler,
-           const Point           &centre,
-           const Point           &normal,
-           double                 sign,
-           double                 reach,
-           double                 step);
+  Thickness
+  cut_band(const std::function<std::optional<double>(double)> &profile,
+           double                                              reach,
+           double                                              step);
 } // namespace Riedel::Analysis

@@ -8,7 +8,7 @@
 namespace Riedel::Analysis
 {
   /**
-   * The deformed body with micro-rotations and void ratios as the measurement
+   * The deformed body and its material points as the measurement
    * of bands reads it. Collects all ranks' parts on rank 0; empty on the
    * others. Every cell with points becomes 2 n^2 triangles, n the degree of the
    * element. @p solution: displacements and rotations at relevant dofs, by

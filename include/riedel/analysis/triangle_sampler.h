@@ -1,53 +1,52 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <riedel/analysis/geometry.h>
-#include <riedel/analysis/shear_bands.h>
+#include <riedel/analysis/triangle_search.h>
 
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace Riedel::Analysis
 {
-  /**
-   * The rotation anywhere in the body, interpolated linearly in the triangles.
-   * A uniform grid of bins makes the search for the triangle cheap. Keeps a
-   * reference to the field.
-   */
+  /// A field anywhere in the body, interpolated linearly in the triangles from
+  /// its values at the nodes. Keeps references to what it is given.
   class TriangleSampler
   {
   public:
-    explicit TriangleSampler(const DeformedField &field);
+    /// @p values: of the nodes.
+    TriangleSampler(const TriangleSearch      &search,
+                    const std::vector<double> &values)
+      : search(search)
+      , values(values)
+    {}
 
-    /// Rotation [rad] at @p point; nothing outside the body.
+    /// Nothing outside the body.
     std::optional<double>
-    value(const Point &point) const;
+    value(const Point &point) const
+    {
+      const auto place = search.locate(point);
+      if (!place)
+        return std::nullopt;
+      double sum = 0.;
+      for (unsigned int k = 0; k < 3; ++k)
+        sum += place->weights[k] * values[place->nodes[k]];
+      return sum;
+    }
 
-    /// Corners of the box around the body [m].
     Point
     lower() const
     {
-      return box[0];
+      return search.lower();
     }
 
     Point
     upper() const
     {
-      return box[1];
+      return search.upper();
     }
 
   private:
-    /// Bin of @p point along @p axis, not limited to the grid.
-    long
-    bin(const Point &point, unsigned int axis) const;
-
-    const DeformedField      &field;
-    std::array<Point, 2>      box;
-    double                    bin_size;
-    std::array<long, 2>       n_bins;
-    std::vector<std::size_t>  first_in_bin; ///< into triangle_in_bin
-    std::vector<unsigned int> triangle_in_bin;
+    const TriangleSearch      &search;
+    const std::vector<double> &values;
   };
 } // namespace Riedel::Analysis

@@ -4,6 +4,7 @@
 #include <riedel/errors.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,9 @@ namespace Riedel::Grid
     /// uniform refinements of the grid of a file
     unsigned int           refinements   = 0;
     ReferenceConfiguration configuration = ReferenceConfiguration::initial;
+    /// the axis along which the body repeats itself: what leaves it at one end
+    /// comes in at the other
+    std::optional<unsigned int> periodic_axis;
     /// polynomial degrees, 1 or 2; "automatic" is 2 in configuration initial, 1
     /// in current
     unsigned int   displacement_degree = 2;
@@ -74,6 +78,14 @@ namespace Riedel::Grid
     StrainSampling sampling            = StrainSampling::assumed;
     /// share of the point's own H and theta under assumed sampling
     double own_strain_fraction = 0.1;
+
+    /// Is this side of the box, numbered as in #margin, tied to the opposite
+    /// one?
+    bool
+    is_periodic(const unsigned int side) const
+    {
+      return periodic_axis && *periodic_axis == side / 2;
+    }
 
     /// Does the grid end at this side of the body? Sides as in #margin.
     bool

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace Riedel::Grid
@@ -107,7 +108,7 @@ namespace Riedel::Grid
       return cell_order;
     }
 
-    /// Hanging nodes only.
+    /// Hanging nodes, and nodes that are tied to the opposite side.
     const dealii::AffineConstraints<double> &
     hanging_nodes() const
     {
@@ -180,6 +181,7 @@ namespace Riedel::Grid
 
     const bool                        micropolar;
     const bool                        reaches_into_ghost_cells;
+    const std::optional<unsigned int> periodic_axis;
     Frame<dim>                        frame_of_grid;
     dealii::FESystem<dim>             fe;
     dealii::DoFHandler<dim>           dofs;

@@ -20,6 +20,8 @@ namespace Riedel::Material
   {
     HypoplasticConstants constants;
     HypoplasticControls  controls;
+    /// d_50 [m]; the constants of the classical law have none
+    double grain_diameter = 0.;
 
     static void
     declare(const bool micropolar, dealii::ParameterHandler &prm);

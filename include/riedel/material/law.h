@@ -126,6 +126,14 @@ namespace Riedel::Material
     virtual double
     length() const = 0;
 
+    /// The length by which shear bands are measured and grids are refined, d50
+    /// [m]; 0 if the law knows of no grains.
+    virtual double
+    grain_size() const
+    {
+      return length();
+    }
+
     /// A scale of the tangent at rest [Pa], from the committed state only;
     /// used to scale stabilisation terms. It is the factor of the linear part
     /// of the stretching in the rate of stress, 2 mu in elasticity. Positive

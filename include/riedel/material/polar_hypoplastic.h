@@ -65,6 +65,13 @@ namespace Riedel::Material
       return micropolar ? parameters.constants.mean_grain_diameter : 0.;
     }
 
+    /// d_50 [m], also of the classical law, whose stresses do not know it
+    double
+    grain_size() const override
+    {
+      return parameters.grain_diameter;
+    }
+
     /// f_s a_1^2 [Pa], eqs. (16), (19), (26); of the state on the floor for a
     /// point that a step would put there
     double

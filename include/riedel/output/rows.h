@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/adaptation/record.h>
+#include <riedel/analysis/mobilised_angles.h>
 #include <riedel/analysis/shear_bands.h>
 #include <riedel/equilibrium/balance.h>
 #include <riedel/equilibrium/scheme.h>
@@ -79,10 +80,20 @@ namespace Riedel::Output
   Row
   history_row(const StepRecord<dim> &record);
 
+  /// What the inclination of the bands is compared with.
+  struct BandAngles
+  {
+    /// of the bands; NaN without bands [deg]
+    double                    to_minor_stress;
+    Analysis::MobilisedAngles at_peak; ///< of the whole body
+    Analysis::MobilisedAngles inside;  ///< the bands
+  };
+
   /// The row of bands.csv: lengths in mm and in grain sizes.
   Row
   bands_row(const unsigned int          step,
             const double                load,
             const Analysis::ShearBands &bands,
+            const BandAngles           &angles,
             const double                grain_size);
 } // namespace Riedel::Output

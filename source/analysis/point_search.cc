@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <riedel/analysis/void_ratio_samples.h>
+#include <riedel/analysis/point_search.h>
 
 #include <cmath>
 
 namespace Riedel::Analysis
 {
-  VoidRatioSamples::VoidRatioSamples(const DeformedField &field,
-                                     const double         bin_size)
+  PointSearch::PointSearch(const DeformedField &field, const double bin_size)
     : field(field)
     , bin_size(bin_size)
   {
@@ -17,7 +16,7 @@ namespace Riedel::Analysis
 
 
   std::pair<long, long>
-  VoidRatioSamples::bin(const Point &place) const
+  PointSearch::bin(const Point &place) const
   {
     return {static_cast<long>(std::floor(place[0] / bin_size)),
             static_cast<long>(std::floor(place[1] / bin_size))};
@@ -26,7 +25,7 @@ namespace Riedel::Analysis
 
 
   std::optional<std::size_t>
-  VoidRatioSamples::nearest(const Point &place, const double limit) const
+  PointSearch::nearest(const Point &place, const double limit) const
   {
     const auto from = bin({{place[0] - limit, place[1] - limit}});
     const auto to   = bin({{place[0] + limit, place[1] + limit}});

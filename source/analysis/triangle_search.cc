@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <riedel/analysis/triangle_sampler.h>
+#include <riedel/analysis/triangle_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace Riedel::Analysis
 {
-  TriangleSampler::TriangleSampler(const DeformedField &field)
+  TriangleSearch::TriangleSearch(const DeformedField &field)
     : field(field)
   {
     const double infinity = std::numeric_limits<double>::infinity();
@@ -69,7 +69,7 @@ namespace Riedel::Analysis
 
 
   long
-  TriangleSampler::bin(const Point &point, const unsigned int axis) const
+  TriangleSearch::bin(const Point &point, const unsigned int axis) const
   {
     return static_cast<long>(
       std::floor((point[axis] - box[0][axis]) / bin_size));
@@ -77,8 +77,8 @@ namespace Riedel::Analysis
 
 
 
-  std::optional<double>
-  TriangleSampler::value(const Point &point) const
+  std::optional<TriangleWeights>
+  TriangleSearch::locate(const Point &point) const
   {
     // straight triangles along curved edges or at hanging nodes leave slits:
     // a point so little outside a triangle, in shares of its height, is taken
@@ -89,9 +89,9 @@ namespace Riedel::Analysis
     if (i < 0 || j < 0 || i >= n_bins[0] || j >= n_bins[1])
       return std::nullopt;
 
-    std::optional<double> result;
-    double                best = -tolerance;
-    const std::size_t     b    = j * n_bins[0] + i;
+    std::optional<TriangleWeights> result;
+    double                         best = -tolerance;
+    const std::size_t              b    = j * n_bins[0] + i;
     for (std::size_t k = first_in_bin[b]; k < first_in_bin[b + 1]; ++k)
       {
         const auto &[n0, n1, n2] = field.triangles[triangle_in_bin[k]];
@@ -107,8 +107,7 @@ namespace Riedel::Analysis
         if (!(least >= best))
           continue;
         best   = least;
-        result = (1. - l1 - l2) * field.rotation[n0] + l1 * field.rotation[n1] +
-                 l2 * field.rotation[n2];
+        result = TriangleWeights{{{n0, n1, n2}}, {{1. - l1 - l2, l1, l2}}};
         if (least >= 0.)
           break;
       }

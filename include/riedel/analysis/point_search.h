@@ -14,11 +14,11 @@ namespace Riedel::Analysis
 {
   /// Finds the material point nearest to a place. Keeps a reference to the
   /// field.
-  class VoidRatioSamples
+  class PointSearch
   {
   public:
     /// @p bin_size [m] should be of the order of the points' distance.
-    VoidRatioSamples(const DeformedField &field, double bin_size);
+    PointSearch(const DeformedField &field, double bin_size);
 
     /// Number of the nearest point not further than @p limit [m].
     std::optional<std::size_t>
