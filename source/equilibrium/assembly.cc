@@ -37,11 +37,7 @@ namespace Riedel::Equilibrium
           sum.first_refused = first_point + report.first_refused;
           sum.total.reason  = report.reason;
         }
-      sum.total.floored += report.floored;
-      sum.total.clamped += report.clamped;
-      sum.total.null_deviator += report.null_deviator;
-      sum.total.substeps += report.substeps;
-      sum.total.refused += report.refused;
+      Material::add_counts(sum.total, report);
     }
 
 

@@ -473,7 +473,7 @@ namespace Riedel::Equilibrium
     double       *reaction_out   = reaction.begin();
     const double *held_imbalance = held.size() > 0 ? held.begin() : nullptr;
     // squares: free forces, free moments, reactions, loads; counts of points
-    std::vector<double> sums(9, 0.0);
+    std::vector<double> sums(13, 0.0);
     for (unsigned int i = 0; i < is_prescribed.size(); ++i)
       {
         const double scale = is_rotation[i] ? 1.0 / (length * length) : 1.0;
@@ -500,6 +500,10 @@ namespace Riedel::Equilibrium
     sums[6]            = report.clamped;
     sums[7]            = report.null_deviator;
     sums[8]            = static_cast<double>(report.substeps);
+    sums[9]            = report.yielding;
+    sums[10]           = report.at_apex;
+    sums[11]           = report.unregularised;
+    sums[12]           = report.without_strength;
     std::vector<double> all(sums.size());
     dealii::Utilities::MPI::sum(sums, communicator, all);
 
@@ -512,6 +516,10 @@ namespace Riedel::Equilibrium
     result.sweep.total.clamped       = static_cast<unsigned int>(all[6]);
     result.sweep.total.null_deviator = static_cast<unsigned int>(all[7]);
     result.sweep.total.substeps      = static_cast<unsigned long long>(all[8]);
+    result.sweep.total.yielding      = static_cast<unsigned int>(all[9]);
+    result.sweep.total.at_apex       = static_cast<unsigned int>(all[10]);
+    result.sweep.total.unregularised = static_cast<unsigned int>(all[11]);
+    result.sweep.total.without_strength = static_cast<unsigned int>(all[12]);
     // A body without stress has no forces to compare with but rounding errors,
     // which grow with stiffness and displacement.
     double largest = std::numeric_limits<double>::min();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/material/drucker_prager.h>
+#include <riedel/material/finite_strain_law.h>
 #include <riedel/material/hencky.h>
 #include <riedel/material/law.h>
 #include <riedel/material/linear_elastic_micropolar.h>
@@ -27,7 +29,13 @@ namespace Riedel::Material
         {"linear elastic micropolar",
          std::make_unique<LinearElasticMicropolar>},
         {"linear elastic", std::make_unique<LinearElasticClassical>},
-        {"Hencky", std::make_unique<Hencky>}};
+        {"Hencky", std::make_unique<Hencky>},
+        {"neo-Hookean micropolar", std::make_unique<NeoHookean<true>>},
+        {"neo-Hookean", std::make_unique<NeoHookean<false>>},
+        {"Drucker-Prager micropolar", std::make_unique<DruckerPrager<true>>},
+        {"Drucker-Prager", std::make_unique<DruckerPrager<false>>},
+        {"von Mises micropolar", std::make_unique<VonMises<true>>},
+        {"von Mises", std::make_unique<VonMises<false>>}};
       return laws;
     }
   } // namespace

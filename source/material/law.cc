@@ -17,10 +17,29 @@ namespace Riedel::Material
         case Report::Refusal::too_many_substeps:
           return "the error control of the law needs more substeps than "
                  "`Largest number of substeps'; the step is too large";
+        case Report::Refusal::no_return:
+          return "the return to the yield surface has no solution that could "
+                 "be found; the step is too large";
         case Report::Refusal::not_finite:
           return "an increment or a stress is not a finite number";
       }
     return "unknown reason";
+  }
+
+
+
+  void
+  add_counts(Report &sum, const Report &b)
+  {
+    sum.floored += b.floored;
+    sum.clamped += b.clamped;
+    sum.null_deviator += b.null_deviator;
+    sum.yielding += b.yielding;
+    sum.at_apex += b.at_apex;
+    sum.unregularised += b.unregularised;
+    sum.without_strength += b.without_strength;
+    sum.substeps += b.substeps;
+    sum.refused += b.refused;
   }
 
 

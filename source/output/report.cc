@@ -107,6 +107,33 @@ namespace Riedel::Output
 
 
 
+  namespace
+  {
+    /// What the yield surfaces of the points say about the last step.
+    template <int dim>
+    std::string
+    plasticity_lines(const StepRecord<dim> &record)
+    {
+      const auto &total = record.outcome.residual.sweep.total;
+      std::string text =
+        format("In the last step %u points yield, %u of them at the apex.\n",
+               total.yielding,
+               total.at_apex);
+      if (total.unregularised > 0)
+        text += format("%u soften so steeply that their couple modulus does "
+                       "not exceed |mu_ep|: the width of their bands is that "
+                       "of the cells.\n",
+                       total.unregularised);
+      if (total.without_strength > 0)
+        text += format("%u have lost their strength, and with it the couple "
+                       "stress that gives bands a width.\n",
+                       total.without_strength);
+      return text;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::string
   summary(const StepRecord<dim>                           &record,
@@ -139,6 +166,8 @@ namespace Riedel::Output
                    "its density was clamped.\n",
                    floored,
                    clamped);
+    if (record.has_plasticity)
+      text += plasticity_lines(record);
     if (stalled > 0)
       text += format("%u steps were taken at up to 10 times the allowed "
                      "residual, where the iteration stalled.\n",

@@ -27,10 +27,12 @@ namespace Riedel::Output
       }
     here[2] = points.n_points();
     dealii::Utilities::MPI::sum(here, communicator, all);
-    record.volume     = all[0];
-    record.mass       = all[1];
-    record.solids     = all[3];
-    record.n_points   = static_cast<std::uint64_t>(all[2]);
+    record.volume         = all[0];
+    record.mass           = all[1];
+    record.solids         = all[3];
+    record.n_points       = static_cast<std::uint64_t>(all[2]);
+    record.has_plasticity = points.layout().find("plastic_multiplier") !=
+                            Material::StateLayout::absent;
     record.are_moving = points.are_moving();
     record.n_split    = points.n_split();
     record.n_merged   = points.n_merged();
@@ -139,6 +141,14 @@ namespace Riedel::Output
             {"bands [1]", static_cast<double>(record.n_bands)},
             {"cpu time [s]", record.cpu_seconds}};
     row.insert(row.end(), rest.begin(), rest.end());
+    if (record.has_plasticity)
+      {
+        row.emplace_back("yielding points [1]", report.yielding);
+        row.emplace_back("points at the apex [1]", report.at_apex);
+        row.emplace_back("unregularised points [1]", report.unregularised);
+        row.emplace_back("points without strength [1]",
+                         report.without_strength);
+      }
     if (record.are_moving)
       {
         row.emplace_back("split points [1]",

@@ -36,12 +36,15 @@ namespace Riedel::Points
 
 
     /// Slots of laws that are volume-weighted means of merged points: stresses,
-    /// so that their sums are kept, and the strain that gives an elastic one.
+    /// so that their sums are kept, and the strains that give elastic ones; the
+    /// volume and the multiplier of a plastic law, which belong to them.
     bool
     is_mean(const std::string &slot)
     {
       return slot == "stress" || slot == "couple_stress" ||
-             slot == "logarithmic_strain";
+             slot == "logarithmic_strain" || slot == "elastic_strain" ||
+             slot == "elastic_curvature" || slot == "total_strain" ||
+             slot == "volume_ratio" || slot == "plastic_multiplier";
     }
   } // namespace
 
@@ -192,7 +195,8 @@ namespace Riedel::Points
             if (distance.difference > tolerance * stress_size * law.length())
               return false;
           }
-        else if (slot.name == "void_ratio")
+        else if (slot.name == "void_ratio" || slot.name == "cohesion" ||
+                 slot.name == "yield_stress")
           {
             if (distance.difference > tolerance * distance.size)
               return false;

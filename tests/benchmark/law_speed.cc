@@ -4,7 +4,8 @@
 // the tangent: random admissible states, increments as in a finite element
 // step, median of repeats. "turned": the increment is in a new direction, so
 // that the response bends strongly within the step; "continued": the same
-// isochoric increment has been taken ten times before.
+// isochoric increment has been taken ten times before; "yielding": the share of
+// points on the yield surface.
 
 #include <riedel/material/law.h>
 
@@ -50,11 +51,19 @@ namespace
       }
     if (name == "polar hypoplastic")
       prm.set("Mean grain diameter", "0.5e-3");
-    if (name == "linear elastic micropolar")
+    else if (name.find("micropolar") != std::string::npos)
       {
         prm.set("Couple modulus", "10e6");
         prm.set("Bending modulus", "20");
       }
+    if (name.find("Drucker-Prager") == 0)
+      {
+        prm.set("Friction angle", "30");
+        prm.set("Dilatancy angle", "10");
+        prm.set("Cohesion", "10e3");
+      }
+    if (name.find("von Mises") == 0)
+      prm.set("Yield stress", "1e5");
     law->parse(prm);
     return law;
   }
@@ -66,13 +75,14 @@ main()
   constexpr unsigned int n_points  = 2000;
   constexpr unsigned int n_repeats = 51;
 
-  std::printf("%-26s %-10s %9s %12s %12s %10s\n",
+  std::printf("%-26s %-10s %9s %12s %12s %10s %10s\n",
               "law",
               "loading",
               "increment",
               "value [us]",
               "tangent [us]",
-              "substeps");
+              "substeps",
+              "yielding");
   for (const std::string &name : Riedel::Material::known_laws())
     for (const bool continued : {false, true})
       for (const double size : {1e-4, 3e-4, 1e-3})
@@ -136,18 +146,17 @@ main()
             std::nth_element(times.begin(),
                              times.begin() + n_repeats / 2,
                              times.end());
-            return std::make_pair(times[n_repeats / 2] / n_points,
-                                  static_cast<double>(report.substeps) /
-                                    n_points);
+            return std::make_pair(times[n_repeats / 2] / n_points, report);
           };
           const auto value   = measure(nullptr);
           const auto tangent = measure(tangents.data());
-          std::printf("%-26s %-10s %9.0e %12.3f %12.3f %10.2f\n",
+          std::printf("%-26s %-10s %9.0e %12.3f %12.3f %10.2f %10.2f\n",
                       name.c_str(),
                       continued ? "continued" : "turned",
                       size,
                       value.first,
                       tangent.first,
-                      value.second);
+                      double(value.second.substeps) / n_points,
+                      double(value.second.yielding) / n_points);
         }
 }

@@ -50,11 +50,19 @@ namespace LawTools
       {
         prm.set("Lame modulus", "1000");
         prm.set("Shear modulus", "2000");
-        if (name == "linear elastic micropolar")
+        if (name.find("micropolar") != std::string::npos)
           {
             prm.set("Couple modulus", "500");
             prm.set("Bending modulus", "40");
           }
+        if (name.find("Drucker-Prager") == 0)
+          {
+            prm.set("Friction angle", "30");
+            prm.set("Dilatancy angle", "10");
+            prm.set("Cohesion", "20");
+          }
+        if (name.find("von Mises") == 0)
+          prm.set("Yield stress", "50");
       }
     for (const auto &[entry, value] : changes)
       prm.set(entry, value);

@@ -51,18 +51,29 @@ namespace Riedel::Material
       none,
       inverted_step,     ///< det f <= 0 or a relative rotation of 180 degrees
       too_many_substeps, ///< the error control did not end
+      no_return,         ///< no way back to the yield surface was found
       not_finite         ///< a stress is not a number
     };
 
-    unsigned int       floored       = 0; ///< put to the floor pressure
-    unsigned int       clamped       = 0; ///< density factor clamped
-    unsigned int       null_deviator = 0; ///< s*_kl s*_lk <= 0, taken as zero
-    unsigned long long substeps      = 0; ///< accepted substeps, all points
-    unsigned int       refused       = 0; ///< points without a result
+    unsigned int floored       = 0; ///< put to the floor pressure
+    unsigned int clamped       = 0; ///< density factor clamped
+    unsigned int null_deviator = 0; ///< s*_kl s*_lk <= 0, taken as zero
+    unsigned int yielding      = 0; ///< on the yield surface
+    unsigned int at_apex       = 0; ///< of these, at its apex
+    /// yielding with softening so steep that the couple modulus does not exceed
+    /// |mu_ep|: the micropolar continuum does not regularise it
+    unsigned int       unregularised    = 0;
+    unsigned int       without_strength = 0; ///< nearly nothing is left of it
+    unsigned long long substeps         = 0; ///< accepted substeps, all points
+    unsigned int       refused          = 0; ///< points without a result
     /// first refused point: index in the batch, reason, what is known
     unsigned int first_refused = 0;
     Refusal      reason        = Refusal::none;
   };
+
+  /// Adds the counts of @p b, but not what it says of its refused points.
+  void
+  add_counts(Report &sum, const Report &b);
 
   /// A sentence for people on why a point was refused.
   std::string

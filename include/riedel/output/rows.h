@@ -43,6 +43,8 @@ namespace Riedel::Output
     /// sums over all ranks
     double        volume = 0.0, solids = 0.0, mass = 0.0;
     std::uint64_t n_points = 0;
+    /// do points have a yield surface?
+    bool has_plasticity = false;
     /// of points that move through the grid: split, merged, removed and held
     /// back by walls since the start, and what splitting and merging have added
     /// to the sums

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <riedel/continuum/generalised.h>
+#include <riedel/continuum/space_tensor.h>
+#include <riedel/material/neo_hookean_elasticity.h>
+
+#include <array>
+#include <cmath>
+
+namespace Riedel::Material
+{
+  /// What a point of a finite-strain micropolar law remembers of its motion.
+  template <int dim, typename Number>
+  struct StretchAndCurvature
+  {
+    /// V^e - I, elastic
+    Continuum::SpaceTensor<dim, Number> elastic;
+    /// k^e, elastic left curvature [1/m]
+    Continuum::CurvatureTensor<dim, Number> curvature;
+    /// F Q^T - I, of the whole deformation from the stress-free state
+    Continuum::SpaceTensor<dim, Number> total;
+  };
+
+  /**
+   * The kinematics of a step (doc/theory/elastoplasticity.md, section 2): with
+   * f = I + H, dQ = exp(theta) and T(theta) the tangent of the exponential map,
+   *
+   *     V_trial = f V dQ^T    k_trial = (dQ k + T Gamma Vtot) dQ^T
+   *
+   * and the way back to generalised stresses. A classical continuum has no
+   * rotation of its own: its dQ is a constant chosen so that V_trial is
+   * symmetric, which changes no stress because kappa = 0. Number is that of one
+   * point, with derivatives or without, or Lanes.
+   */
+  template <int dim, bool micropolar, typename Number>
+  struct FiniteStrainStep
+  {
+    using Order = Continuum::Generalised<dim>;
+    using Value = Continuum::ValueOf<Number>;
+    using Start = StretchAndCurvature<dim, Value>;
+
+    /// number of generalised components
+    static constexpr unsigned int n =
+      micropolar ? Order::n_micropolar : Order::n_classical;
+
+    /// f - I
+    Continuum::SpaceTensor<dim, Number> H;
+    /// of the elastic trial state and of the whole deformation
+    StretchAndCurvature<dim, Number> trial;
+    /// det F at the start and at the end
+    Value  initial_volume;
+    Number volume;
+    /// f does not turn the point inside out; for Lanes also: theta is small
+    Continuum::ConditionOf<Number> valid;
+
+    /// @param axis_3_strain logarithmic strain of axis 3, only in element tests
+    FiniteStrainStep(const std::array<Number, n> &increments,
+                     const Start                 &start,
+                     const double                 axis_3_strain = 0.)
+    {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          H(i, j) = increments[Order::gradient(i, j)];
+      if constexpr (dim == 2)
+        H(2, 2) = Number(std::expm1(axis_3_strain));
+
+      initial_volume = 1. + Continuum::determinant_minus_one(start.total);
+      const Number j = 1. + Continuum::determinant_minus_one(H);
+      volume         = initial_volume * j;
+      valid          = Continuum::value_of(j) > 0.;
+      if (!Continuum::any(valid))
+        return;
+
+      // f V - I
+      const auto stretched = [&](const auto &E) { return H + E + H * E; };
+      const auto moved     = stretched(start.elastic);
+
+      // dQ^T - I
+      Continuum::SpaceTensor<dim, Number> turned;
+      if constexpr (micropolar)
+        turned = turn(increments.data() + Order::spin(0));
+      else
+        turned = turn_to_symmetry(moved);
+
+      trial.elastic  = moved + turned + moved * turned;
+      const auto all = stretched(start.total);
+      trial.total    = all + turned + all * turned;
+      if constexpr (micropolar)
+        {
+          Continuum::CurvatureTensor<dim, Number> gradient;
+          for (unsigned int i = 0; i < gradient.n; ++i)
+            gradient.components[i] = increments[Order::curvature(0, 0) + i];
+          auto sum = Continuum::times_one_plus(gradient, start.total);
+          if constexpr (dim == 3)
+            sum = with_turned_rotation(increments.data() + Order::spin(0),
+                                       sum,
+                                       start.curvature,
+                                       turned);
+          else
+            for (unsigned int i = 0; i < sum.n; ++i)
+              sum.components[i] += start.curvature.components[i];
+          trial.curvature = Continuum::times_one_plus(sum, turned);
+        }
+      else
+        trial.curvature.components.fill(Number(0.));
+    }
+
+    /// P = j sigma f^-T, t_k = j e_kij sigma_ij, M = j m f^-T from J sigma and
+    /// J m, J = j J_n
+    std::array<Number, n>
+    generalised(
+      const Continuum::SpaceTensor<dim, Number>     &kirchhoff,
+      const Continuum::CurvatureTensor<dim, Number> &kirchhoff_couple) const
+    {
+      // j in the plane only where axis 3 is stretched, too
+      Value inverse_volume = 1. / initial_volume;
+      if constexpr (dim == 2)
+        inverse_volume = inverse_volume / (1. + Continuum::value_of(H(2, 2)));
+      auto cofactor = Continuum::inverse_transposed(H);
+      for (Number &component : cofactor.components)
+        component = component * inverse_volume;
+
+      std::array<Number, n> result;
+      const auto            P = kirchhoff * cofactor;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[Order::gradient(i, j)] = P(i, j);
+      if constexpr (micropolar)
+        {
+          if constexpr (dim == 2)
+            result[Order::spin(0)] =
+              (kirchhoff(0, 1) - kirchhoff(1, 0)) * inverse_volume;
+          else
+            for (unsigned int k = 0; k < 3; ++k)
+              {
+                const unsigned int i = (k + 1) % 3, j = (k + 2) % 3;
+                result[Order::spin(k)] =
+                  (kirchhoff(i, j) - kirchhoff(j, i)) * inverse_volume;
+              }
+          const auto M = kirchhoff_couple * cofactor;
+          for (unsigned int i = 0; i < M.n; ++i)
+            result[Order::curvature(0, 0) + i] = M.components[i];
+        }
+      return result;
+    }
+
+  private:
+    /// exp(theta)^T - I
+    Continuum::SpaceTensor<dim, Number>
+    turn(const Number *theta)
+    {
+      Continuum::SpaceTensor<dim, Number> turned;
+      if constexpr (dim == 2)
+        {
+          if constexpr (Continuum::IsLanes<Number>::value)
+            valid = valid && Continuum::abs(theta[0]) <
+                               Continuum::Turn<Number>::largest_small_angle;
+          const Continuum::Turn<Value> rotation =
+            Continuum::turn(Continuum::value_of(theta[0]));
+          // cos - 1 without cancellation for small angles
+          const Value less =
+            Continuum::select(rotation.cosine > Value(0.),
+                              Value(-(rotation.sine * rotation.sine) /
+                                    (1. + rotation.cosine)),
+                              Value(rotation.cosine - 1.));
+          const Number cosine =
+            Continuum::chain_rule(theta[0], less, -rotation.sine);
+          const Number sine =
+            Continuum::chain_rule(theta[0], rotation.sine, rotation.cosine);
+          turned(0, 0) = turned(1, 1) = cosine;
+          turned(0, 1)                = sine;
+          turned(1, 0)                = -sine;
+          turned(2, 2)                = Number(0.);
+        }
+      else
+        turned = Continuum::exponential_minus_one(
+          Continuum::transpose(skew_tensor(theta)));
+      return turned;
+    }
+
+    /// The rotation R - I that makes V R symmetric, as a constant; only in the
+    /// plane.
+    static Continuum::SpaceTensor<dim, Number>
+    turn_to_symmetry(const Continuum::SpaceTensor<dim, Number> &moved)
+    {
+      static_assert(dim == 2, "a classical continuum in space has no rule yet");
+      using std::sqrt;
+      const Value x = 2. + Continuum::value_of(moved(0, 0)) +
+                      Continuum::value_of(moved(1, 1));
+      const Value y =
+        Continuum::value_of(moved(1, 0)) - Continuum::value_of(moved(0, 1));
+      const Value length2 = x * x + y * y;
+      const Value length  = sqrt(length2);
+      const Value sine    = y / length;
+      const Value less =
+        Continuum::select(x > Value(0.),
+                          Value(-(y * y) / (length * (length + x))),
+                          Value((x - length) / length));
+      Continuum::SpaceTensor<dim, Number> turned;
+      turned(0, 0) = turned(1, 1) = Number(less);
+      turned(0, 1)                = Number(sine);
+      turned(1, 0)                = Number(-sine);
+      turned(2, 2)                = Number(0.);
+      return turned;
+    }
+
+    /// The tensor that crosses with @p axis.
+    static Continuum::SpaceTensor<3, Number>
+    skew_tensor(const Number *axis)
+    {
+      Continuum::SpaceTensor<3, Number> A;
+      A(0, 0) = A(1, 1) = A(2, 2) = Number(0.);
+      A(2, 1)                     = axis[0];
+      A(1, 2)                     = -axis[0];
+      A(0, 2)                     = axis[1];
+      A(2, 0)                     = -axis[1];
+      A(1, 0)                     = axis[2];
+      A(0, 1)                     = -axis[2];
+      return A;
+    }
+
+    /// dQ k + T(theta) sum, in space: T = I + A/2! + A^2/3! + ... with A the
+    /// skew tensor of theta, a series that converges for every angle
+    static Continuum::CurvatureTensor<3, Number>
+    with_turned_rotation(const Number                                *theta,
+                         const Continuum::CurvatureTensor<3, Number> &sum,
+                         const Continuum::CurvatureTensor<3, Value>  &k,
+                         const Continuum::SpaceTensor<3, Number>     &turned)
+    {
+      const Continuum::SpaceTensor<3, Number> A = skew_tensor(theta);
+      // A + A^2/2 + ... up to the power 24, enough for angles below pi
+      Continuum::SpaceTensor<3, Number> T = A;
+      for (unsigned int order = 25; order >= 3; --order)
+        T = A + (1. / order) * (A * T);
+      T                                            = .5 * T;
+      Continuum::CurvatureTensor<3, Number> result = sum;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            result.components[3 * i + j] += k.components[3 * i + j];
+            for (unsigned int l = 0; l < 3; ++l)
+              result.components[3 * i + j] +=
+                T(i, l) * sum.components[3 * l + j] +
+                turned(l, i) * k.components[3 * l + j];
+          }
+      return result;
+    }
+  };
+} // namespace Riedel::Material
