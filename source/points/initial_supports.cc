@@ -166,7 +166,8 @@ namespace Riedel::Points
     std::map<unsigned int, std::vector<Group>> groups_of_material;
 
     cells.clear();
-    sampled = Shapes();
+    sampled               = Shapes();
+    std::size_t n_sampled = 0;
     for (const auto &cell : space->dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -178,9 +179,12 @@ namespace Riedel::Points
             groups_of_material[material].push_back(
               {cell, static_cast<unsigned int>(cells.size()), list});
 
-          cells.push_back({{}, sampled.weight.size()});
+          cells.push_back({{}, n_sampled});
           if (parameters.sampling == Grid::StrainSampling::assumed)
-            evaluate_shapes(cell, sampling.get_points(), sampled);
+            {
+              evaluate_shapes(cell, sampling.get_points(), sampled);
+              n_sampled += sampling.size();
+            }
         }
 
     result = Supports<dim>();
@@ -373,7 +377,7 @@ namespace Riedel::Points
             if (means_needed)
               {
                 add(dim * n, V, &result.gradient[u], mean.data());
-                add(nw, V, &own.rotation_weight[w], mean_weight.data());
+                add(nw, V, own.rotation_weight.data() + w, mean_weight.data());
               }
           }
       }
@@ -392,7 +396,7 @@ namespace Riedel::Points
         for (unsigned int s = 0; s < sampling.size(); ++s)
           {
             const double *undeformed =
-              &sampled.gradient[dim * (cell.first_sample + s * n)];
+              &sampled.gradient[dim * n * (cell.first_sample + s)];
             push_forward(deformation_gradient<dim>(n, nodal.data(), undeformed),
                          n,
                          undeformed,
@@ -430,7 +434,8 @@ namespace Riedel::Points
                         mean.data());
                     add(nw,
                         share,
-                        &sampled.rotation_weight[cell.first_sample + s * nw],
+                        sampled.rotation_weight.data() +
+                          nw * (cell.first_sample + s),
                         mean_weight.data());
                   }
               }

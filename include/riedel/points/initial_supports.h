@@ -65,7 +65,7 @@ namespace Riedel::Points
     {
       /// a patch per material that the cell has points of
       std::vector<unsigned int> patches;
-      /// place of its weights at sampling points in #sampled
+      /// number of its first sampling point in #sampled
       std::size_t first_sample;
     };
 
