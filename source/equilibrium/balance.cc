@@ -232,7 +232,7 @@ namespace Riedel::Equilibrium
     for (const auto &dof : conditions.prescribed())
       if (dof.owned)
         values[space->owned_place(dof.dof)] = prescribed[dof.dof];
-    space->hanging_nodes().distribute(du);
+    space->set_hanging(du);
   }
 
 
@@ -359,7 +359,7 @@ namespace Riedel::Equilibrium
     const Timer::Scope scope(*timer, "solution with factors");
     solver->solve(r, delta);
     delta *= -1.0;
-    space->hanging_nodes().distribute(delta);
+    space->set_hanging(delta);
   }
 
 

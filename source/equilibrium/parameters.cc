@@ -391,16 +391,16 @@ namespace Riedel::Equilibrium
                       Patterns::Integer(1),
                       "A step that needs more iterations is cut.");
     prm.declare_entry("Target iterations",
-                      "5",
+                      "7",
                       Patterns::Integer(1),
                       "The step size is adapted to this number of iterations.");
     prm.declare_entry("Refactor after",
-                      "12",
+                      "16",
                       Patterns::Integer(1),
                       "Iterations with one factor in one step, for "
                       "accelerated.");
     prm.declare_entry("Patience",
-                      "8",
+                      "30",
                       Patterns::Double(0),
                       "A new factor is made if, at the last rate of "
                       "convergence, more than this number of further "

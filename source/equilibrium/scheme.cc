@@ -205,9 +205,22 @@ namespace Riedel::Equilibrium
         Stalling              stalling(parameters.residual);
         unsigned int          with_this_factor = 0, n_factors = 0;
 
+        const auto make_factor = [&]() {
+          outcome.residual = balance.linearise(du, r);
+          if (outcome.residual.refused)
+            return;
+          acceleration.clear();
+          factor_is_stale  = false;
+          with_this_factor = 0;
+          ++n_factors;
+        };
+
         acceleration.interrupt();
-        outcome.residual = balance.residual(du, r);
-        double before    = outcome.residual.relative();
+        if (factor_is_stale || !balance.has_factors())
+          make_factor();
+        else
+          outcome.residual = balance.residual(du, r);
+        double before = outcome.residual.relative();
         while (true)
           {
             const double now = outcome.residual.relative();
@@ -244,15 +257,11 @@ namespace Riedel::Equilibrium
               (with_this_factor >= 3 &&
                further_iterations(before, now) > parameters.patience) ||
               (n_factors >= enough_factors && with_this_factor > 0);
-            if (factor_is_stale || is_slow || !balance.has_factors())
+            if (is_slow)
               {
-                outcome.residual = balance.linearise(du, r);
+                make_factor();
                 if (outcome.residual.refused)
                   continue;
-                acceleration.clear();
-                factor_is_stale  = false;
-                with_this_factor = 0;
-                ++n_factors;
               }
 
             balance.correction(r, delta);

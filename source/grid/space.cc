@@ -68,6 +68,8 @@ namespace Riedel::Grid
     if (reaches_into_ghost_cells)
       add_masters_in_ghost_cells();
     hanging.close();
+    has_hanging =
+      dealii::Utilities::MPI::max(hanging.n_constraints(), communicator()) > 0;
 
     const unsigned int n_relevant = relevant_dofs.n_elements();
     component_of_dof.assign(n_relevant, 0);

@@ -135,12 +135,12 @@ namespace Riedel::Equilibrium
     /// iterations after which a step is cut
     unsigned int most_iterations = 25;
     /// number of iterations the step size is adapted to
-    unsigned int target_iterations = 5;
+    unsigned int target_iterations = 7;
     /// refactor after so many iterations with one factor in one step
-    unsigned int refactor_after = 12;
+    unsigned int refactor_after = 16;
     /// refactor if more further iterations would be needed at the last rate of
     /// convergence
-    double patience = 8.0;
+    double patience = 30.0;
     /// secant pairs kept by the acceleration; 0: modified Newton
     unsigned int secant_pairs = 10;
 

@@ -115,6 +115,15 @@ namespace Riedel::Grid
       return hanging;
     }
 
+    /// Gives hanging (and tied) nodes the values that follow from their
+    /// masters'. Costs nothing where no rank has such nodes.
+    void
+    set_hanging(LinearAlgebra::Vector &values) const
+    {
+      if (has_hanging)
+        hanging.distribute(values);
+    }
+
     /// Component of every relevant dof, by local number.
     const std::vector<unsigned char> &
     components() const
@@ -188,6 +197,7 @@ namespace Riedel::Grid
     dealii::IndexSet                  owned_dofs;
     dealii::IndexSet                  relevant_dofs;
     dealii::AffineConstraints<double> hanging;
+    bool                              has_hanging = false; ///< on any rank
     std::vector<unsigned int>         cell_order;
     std::vector<unsigned char>        component_of_dof;
     std::vector<dealii::Point<dim>>   node_positions;
