@@ -67,4 +67,8 @@ namespace Riedel
   box_form<2>();
   template dealii::BoundingBox<2>
   read_box(const std::string &, const std::string &);
+  template std::string
+  box_form<3>();
+  template dealii::BoundingBox<3>
+  read_box(const std::string &, const std::string &);
 } // namespace Riedel

@@ -63,10 +63,10 @@ namespace Riedel
                           Output::Existing::refuse,
       scene.original_text,
       Scene::print(scene.parameters, Scene::Format::prm));
-    if (is_element_test)
-      run_element_test(communicator, scene, folder);
-    else
+    if (!is_element_test)
       Simulation<dim>(communicator, scene, folder).run();
+    else if constexpr (dim == 2)
+      run_element_test(communicator, scene, folder);
     return 0;
   }
 
@@ -74,4 +74,6 @@ namespace Riedel
 
   template int
   run(const Scene::Scene<2> &, const Scene::CommandLine &);
+  template int
+  run(const Scene::Scene<3> &, const Scene::CommandLine &);
 } // namespace Riedel

@@ -472,9 +472,7 @@ namespace Riedel
     balance->accept_contacts();
     // of the nodes that were seen in this step
     const auto added = averages(du, supports->supports().unseen_dofs);
-    const auto H     = Analysis::mean_gradient(points,
-                                           balance->point_increments(),
-                                           communicator);
+    const auto H     = mean_increment();
     supports->accept(relevant_solution,
                      du,
                      balance->point_increments(),
@@ -529,4 +527,5 @@ namespace Riedel
 
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace Riedel

@@ -151,4 +151,12 @@ namespace Riedel
   Simulation<2>::load_checkpoint(const std::string &);
   template std::string
   Simulation<2>::how_to_continue(const std::string &) const;
+  template void
+  Simulation<3>::resume();
+  template bool
+  Simulation<3>::save_checkpoint();
+  template void
+  Simulation<3>::load_checkpoint(const std::string &);
+  template std::string
+  Simulation<3>::how_to_continue(const std::string &) const;
 } // namespace Riedel

@@ -52,7 +52,22 @@ namespace Riedel
   bool
   Simulation<dim>::are_bands_measured() const
   {
-    return grain_size > 0.0 && scene.output.bands_every > 0.0;
+    return dim == 2 && grain_size > 0.0 && scene.output.bands_every > 0.0;
+  }
+
+
+
+  template <int dim>
+  std::array<double, 4>
+  Simulation<dim>::mean_increment() const
+  {
+    std::array<double, 4> H{};
+    if constexpr (dim == 2)
+      if (are_bands_measured())
+        H = Analysis::mean_gradient(points,
+                                    balance->point_increments(),
+                                    communicator);
+    return H;
   }
 
 
@@ -61,10 +76,15 @@ namespace Riedel
   void
   Simulation<dim>::observe_peak(const std::array<double, 4> &H)
   {
-    const auto   stress   = Analysis::mean_stress(points, communicator);
-    const double friction = Continuum::mobilised_friction(stress.data());
-    if (!(friction <= peak.friction))
-      peak = {friction, Analysis::dilatancy_angle(H)};
+    if constexpr (dim == 2)
+      {
+        const auto   stress   = Analysis::mean_stress(points, communicator);
+        const double friction = Continuum::mobilised_friction(stress.data());
+        if (!(friction <= peak.friction))
+          peak = {friction, Analysis::dilatancy_angle(H)};
+      }
+    else
+      (void)H;
   }
 
 
@@ -80,21 +100,24 @@ namespace Riedel
     const Timer::Scope scope(timer, "measurement of bands");
     last_bands = load;
 
-    const auto field =
-      Analysis::collect_deformed_field(space, shown_solution(), points);
-    const auto stress = Analysis::mean_stress(points, communicator);
-    Analysis::BandMeasureOptions options;
-    options.grain_size = grain_size;
-    if (is_first_rank)
+    if constexpr (dim == 2)
       {
-        const auto before = std::move(bands);
-        bands             = Analysis::measure_shear_bands(field, options);
-        const Output::BandAngles angles = {
-          Analysis::angle_to_minor_stress(bands, stress),
-          peak,
-          {bands.friction, Analysis::dilatancy_inside(before, bands)}};
-        bands_table.add(
-          Output::bands_row(n_steps, load, bands, angles, grain_size));
+        const auto field =
+          Analysis::collect_deformed_field(space, shown_solution(), points);
+        const auto stress = Analysis::mean_stress(points, communicator);
+        Analysis::BandMeasureOptions options;
+        options.grain_size = grain_size;
+        if (is_first_rank)
+          {
+            const auto before = std::move(bands);
+            bands             = Analysis::measure_shear_bands(field, options);
+            const Output::BandAngles angles = {
+              Analysis::angle_to_minor_stress(bands, stress),
+              peak,
+              {bands.friction, Analysis::dilatancy_inside(before, bands)}};
+            bands_table.add(
+              Output::bands_row(n_steps, load, bands, angles, grain_size));
+          }
       }
   }
 
@@ -253,6 +276,8 @@ namespace Riedel
   Simulation<2>::say_hello();
   template bool
   Simulation<2>::are_bands_measured() const;
+  template std::array<double, 4>
+  Simulation<2>::mean_increment() const;
   template void
   Simulation<2>::observe_peak(const std::array<double, 4> &);
   template void
@@ -275,4 +300,32 @@ namespace Riedel
   Simulation<2>::spent() const;
   template double
   Simulation<2>::wall_seconds() const;
+  template void
+  Simulation<3>::say_hello();
+  template bool
+  Simulation<3>::are_bands_measured() const;
+  template std::array<double, 4>
+  Simulation<3>::mean_increment() const;
+  template void
+  Simulation<3>::observe_peak(const std::array<double, 4> &);
+  template void
+  Simulation<3>::measure_bands();
+  template void
+  Simulation<3>::record_step();
+  template void
+  Simulation<3>::write_fields();
+  template std::vector<double>
+  Simulation<3>::shown_solution() const;
+  template bool
+  Simulation<3>::is_complete() const;
+  template double
+  Simulation<3>::next_mark(const double) const;
+  template void
+  Simulation<3>::finish();
+  template Output::StepRecord<3>
+  Simulation<3>::make_record() const;
+  template Simulation<3>::Spent
+  Simulation<3>::spent() const;
+  template double
+  Simulation<3>::wall_seconds() const;
 } // namespace Riedel

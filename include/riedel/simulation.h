@@ -90,8 +90,11 @@ namespace Riedel
     write_fields();
     bool
     are_bands_measured() const;
-    /// Of the body in the last step; @p H: mean gradient of its increments of
-    /// displacement.
+    /// Of the body in the step that has just been solved, before its points
+    /// take it over. In plane strain: bands are measured there alone.
+    std::array<double, 4>
+    mean_increment() const;
+    /// @p H: what mean_increment() was in the last step.
     void
     observe_peak(const std::array<double, 4> &H);
     void

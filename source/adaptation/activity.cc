@@ -207,4 +207,13 @@ namespace Riedel::Adaptation
            const std::vector<double> &);
   template double
   shear_of<2>(const double *);
+  template std::vector<double>
+  activity(const Parameters<3> &,
+           const FixedRegions<3> &,
+           const Grid::Space<3> &,
+           const Points::MaterialPoints<3> &,
+           const Points::Supports<3> &,
+           const std::vector<double> &);
+  template double
+  shear_of<3>(const double *);
 } // namespace Riedel::Adaptation

@@ -70,4 +70,5 @@ namespace Riedel::Adaptation
 
 
   template class Adaptivity<2>;
+  template class Adaptivity<3>;
 } // namespace Riedel::Adaptation

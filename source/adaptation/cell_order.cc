@@ -41,4 +41,6 @@ namespace Riedel::Adaptation
 
   template std::vector<dealii::Triangulation<2>::active_cell_iterator>
   cells_along_curve(const dealii::parallel::distributed::Triangulation<2> &);
+  template std::vector<dealii::Triangulation<3>::active_cell_iterator>
+  cells_along_curve(const dealii::parallel::distributed::Triangulation<3> &);
 } // namespace Riedel::Adaptation

@@ -47,4 +47,5 @@ namespace Riedel::Adaptation
 
 
   template class FixedRegions<2>;
+  template class FixedRegions<3>;
 } // namespace Riedel::Adaptation

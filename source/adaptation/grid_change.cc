@@ -53,4 +53,9 @@ namespace Riedel::Adaptation
               Grid::Space<2> &,
               PointTransfer<2> &,
               const std::vector<LinearAlgebra::Vector *> &);
+  template void
+  change_grid(dealii::parallel::distributed::Triangulation<3> &,
+              Grid::Space<3> &,
+              PointTransfer<3> &,
+              const std::vector<LinearAlgebra::Vector *> &);
 } // namespace Riedel::Adaptation

@@ -204,4 +204,5 @@ namespace Riedel::Adaptation
 
 
   template class InitialPointTransfer<2>;
+  template class InitialPointTransfer<3>;
 } // namespace Riedel::Adaptation

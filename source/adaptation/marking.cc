@@ -172,4 +172,10 @@ namespace Riedel::Adaptation
        const Limits &);
   template double
   cell_size<2>(const dealii::Triangulation<2>::cell_iterator &);
+  template bool
+  mark(dealii::parallel::distributed::Triangulation<3> &,
+       const std::vector<double> &,
+       const Limits &);
+  template double
+  cell_size<3>(const dealii::Triangulation<3>::cell_iterator &);
 } // namespace Riedel::Adaptation

@@ -48,4 +48,5 @@ namespace Riedel::Adaptation
 
 
   template class MovingPointTransfer<2>;
+  template class MovingPointTransfer<3>;
 } // namespace Riedel::Adaptation

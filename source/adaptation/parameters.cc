@@ -235,4 +235,5 @@ namespace Riedel::Adaptation
 
 
   template struct Parameters<2>;
+  template struct Parameters<3>;
 } // namespace Riedel::Adaptation

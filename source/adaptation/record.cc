@@ -46,4 +46,6 @@ namespace Riedel::Adaptation
 
   template std::vector<double>
   summed_stress(const Points::MaterialPoints<2> &, const MPI_Comm);
+  template std::vector<double>
+  summed_stress(const Points::MaterialPoints<3> &, const MPI_Comm);
 } // namespace Riedel::Adaptation

@@ -88,4 +88,5 @@ namespace Riedel::Analysis
 
 
   template class BoundaryAverages<2>;
+  template class BoundaryAverages<3>;
 } // namespace Riedel::Analysis

@@ -310,4 +310,5 @@ namespace Riedel::Checkpoint
 
 
   template class Checkpoints<2>;
+  template class Checkpoints<3>;
 } // namespace Riedel::Checkpoint

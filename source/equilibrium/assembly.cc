@@ -348,4 +348,5 @@ namespace Riedel::Equilibrium
 
 
   template class Assembly<2>;
+  template class Assembly<3>;
 } // namespace Riedel::Equilibrium

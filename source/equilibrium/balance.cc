@@ -26,7 +26,8 @@ namespace Riedel::Equilibrium
             numbers.insert(numbers.end(),
                            vector->begin_raw(),
                            vector->end_raw());
-          numbers.push_back(surface.moment);
+          for (unsigned int k = 0; k < surface.moment.dimension; ++k)
+            numbers.push_back(surface.moment[k]);
         }
       std::vector<double> sums(numbers.size());
       dealii::Utilities::MPI::sum(numbers, communicator, sums);
@@ -40,7 +41,8 @@ namespace Riedel::Equilibrium
                                &surface.initial_normal_area})
             for (unsigned int d = 0; d < dim; ++d)
               (*vector)[d] = *number++;
-          surface.moment = *number++;
+          for (unsigned int k = 0; k < surface.moment.dimension; ++k)
+            surface.moment[k] = *number++;
         }
       return result;
     }
@@ -536,4 +538,5 @@ namespace Riedel::Equilibrium
 
 
   template class Balance<2>;
+  template class Balance<3>;
 } // namespace Riedel::Equilibrium

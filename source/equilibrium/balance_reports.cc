@@ -15,24 +15,25 @@ namespace Riedel::Equilibrium
   std::vector<typename Balance<dim>::Reaction>
   Balance<dim>::reactions() const
   {
-    const unsigned int  n = boundary_parameters->boundaries.size();
-    std::vector<double> numbers(n * (dim + 1), 0.0);
+    const unsigned int     n         = boundary_parameters->boundaries.size();
+    constexpr unsigned int n_numbers = dim + Grid::Space<dim>::n_spin;
+    std::vector<double>    numbers(n * n_numbers, 0.0);
     for (const auto &dof : conditions.prescribed())
       if (dof.owned)
         {
           const double force = reaction.begin()[space->owned_place(dof.dof)];
-          double      *here  = &numbers[dof.boundary * (dim + 1)];
+          double      *here  = &numbers[dof.boundary * n_numbers];
+          here[dof.component] += force;
           if (dof.component < dim)
-            here[dof.component] += force;
-          // lever arms end at the present place of the node
-          if constexpr (dim == 2)
             {
-              if (dof.component == dim)
-                here[dim] += force;
-              else if (dof.component == 0)
-                here[dim] -= force * space->deformed_node(dof.dof, present)[1];
-              else
-                here[dim] += force * space->deformed_node(dof.dof, present)[0];
+              // lever arms end at the present place of the node
+              dealii::Tensor<1, dim> vector;
+              vector[dof.component] = force;
+              const auto moment =
+                Continuum::moment_of(space->deformed_node(dof.dof, present),
+                                     vector);
+              for (unsigned int k = 0; k < Grid::Space<dim>::n_spin; ++k)
+                here[dim + k] += moment[k];
             }
         }
     std::vector<double> sums(numbers.size());
@@ -42,8 +43,10 @@ namespace Riedel::Equilibrium
     for (unsigned int b = 0; b < n; ++b)
       {
         for (unsigned int d = 0; d < dim; ++d)
-          result[b].force[d] = sums[b * (dim + 1) + d] + surfaces[b].force[d];
-        result[b].moment = sums[b * (dim + 1) + dim] + surfaces[b].moment;
+          result[b].force[d] = sums[b * n_numbers + d] + surfaces[b].force[d];
+        for (unsigned int k = 0; k < Grid::Space<dim>::n_spin; ++k)
+          result[b].moment[k] =
+            sums[b * n_numbers + dim + k] + surfaces[b].moment[k];
       }
     for (const auto &plate : accepted_plates)
       result.push_back({plate.force, plate.moment});
@@ -152,4 +155,14 @@ namespace Riedel::Equilibrium
   Balance<2>::describe_worst(const LinearAlgebra::Vector &) const;
   template std::string
   Balance<2>::describe_refusal(const Residual &) const;
+  template std::vector<Balance<3>::Reaction>
+  Balance<3>::reactions() const;
+  template double
+  Balance<3>::stress_work() const;
+  template double
+  Balance<3>::plate_work() const;
+  template std::string
+  Balance<3>::describe_worst(const LinearAlgebra::Vector &) const;
+  template std::string
+  Balance<3>::describe_refusal(const Residual &) const;
 } // namespace Riedel::Equilibrium

@@ -121,4 +121,5 @@ namespace Riedel::Equilibrium
 
 
   template class BoundaryConditions<2>;
+  template class BoundaryConditions<3>;
 } // namespace Riedel::Equilibrium

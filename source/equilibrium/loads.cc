@@ -5,31 +5,77 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 
+#include <array>
+
 namespace Riedel::Equilibrium
 {
   namespace
   {
-    /// The face's own coordinate xi runs along this direction of the cell.
+    /// Where the coordinates of a face lie: the first and, in space, the second
+    /// runs along these directions of the cell.
     template <int dim>
-    dealii::Tensor<1, dim>
-    face_direction(const unsigned int face)
+    std::array<unsigned int, dim - 1>
+    face_axes(const unsigned int face)
     {
-      static_assert(dim == 2, "surface loads on faces are written for 2D");
-      dealii::Tensor<1, dim> direction;
-      direction[1 - face / 2] = 1.0;
-      return direction;
+      const unsigned int normal = face / 2;
+      if constexpr (dim == 2)
+        return {{1 - normal}};
+      else
+        return {{(normal + 1) % 3, (normal + 2) % 3}};
     }
 
 
 
-    /// +1 if (t_2, -t_1) points outwards for the tangent t along
-    /// face_direction().
+    /// +1 if the cross product of the tangents along face_axes() points
+    /// outwards, in the plane (t_2, -t_1).
+    template <int dim>
     double
     outward_sign(const unsigned int face)
     {
+      if (dim == 3)
+        return face % 2 == 0 ? -1.0 : 1.0;
       // left: t = e_y -> (1, 0) points inwards; right: outwards;
       // bottom: t = e_x -> (0, -1) points outwards; top: inwards
       return (face == 0 || face == 3) ? -1.0 : 1.0;
+    }
+
+
+
+    template <int dim>
+    dealii::Tensor<1, dim>
+    normal(const std::array<dealii::Tensor<1, dim>, dim - 1> &tangent)
+    {
+      if constexpr (dim == 2)
+        return cross_product_2d(tangent[0]);
+      else
+        return cross_product_3d(tangent[0], tangent[1]);
+    }
+
+
+
+    /// d normal_d / d tangent_ke as [k][d][e]
+    template <int dim>
+    std::array<dealii::Tensor<2, dim>, dim - 1>
+    normal_derivatives(
+      const std::array<dealii::Tensor<1, dim>, dim - 1> &tangent)
+    {
+      std::array<dealii::Tensor<2, dim>, dim - 1> result;
+      if constexpr (dim == 2)
+        {
+          (void)tangent;
+          result[0][0][1] = 1.0;
+          result[0][1][0] = -1.0;
+        }
+      else
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const unsigned int e = (d + 1) % 3, m = (d + 2) % 3;
+            result[0][d][e] = tangent[1][m];
+            result[0][d][m] = -tangent[1][e];
+            result[1][d][m] = tangent[0][e];
+            result[1][d][e] = -tangent[0][m];
+          }
+      return result;
     }
   } // namespace
 
@@ -49,7 +95,7 @@ namespace Riedel::Equilibrium
   {
     const auto                                  &fe = space.element();
     const dealii::FE_Q<dim>                      geometry(1);
-    const dealii::QGauss<1>                      rule(fe.degree + 1);
+    const dealii::QGauss<dim - 1>                rule(fe.degree + 1);
     std::vector<dealii::types::global_dof_index> cell_dofs(
       fe.n_dofs_per_cell());
 
@@ -76,12 +122,14 @@ namespace Riedel::Equilibrium
                   for (const unsigned int i : space.order_by_component())
                     dofs.push_back(space.local(cell_dofs[i]));
 
-                  const auto direction = face_direction<dim>(f);
+                  const auto   axes = face_axes<dim>(f);
+                  const double sign = outward_sign<dim>(f);
                   for (unsigned int q = 0; q < rule.size(); ++q)
                     {
                       dealii::Point<dim> place;
-                      place[f / 2]     = f % 2;
-                      place[1 - f / 2] = rule.point(q)[0];
+                      place[f / 2] = f % 2;
+                      for (unsigned int k = 0; k < dim - 1; ++k)
+                        place[axes[k]] = rule.point(q)[k];
 
                       FacePoint point;
                       point.boundary  = b;
@@ -91,18 +139,21 @@ namespace Riedel::Equilibrium
                         {
                           point.position +=
                             geometry.shape_value(v, place) * cell->vertex(v);
-                          point.tangent +=
-                            (geometry.shape_grad(v, place) * direction) *
-                            cell->vertex(v);
+                          for (unsigned int k = 0; k < dim - 1; ++k)
+                            point.tangent[k] +=
+                              geometry.shape_grad(v, place)[axes[k]] *
+                              cell->vertex(v);
                         }
-                      const double sign = outward_sign(f);
-                      point.tangent *= sign;
+                      // one sign turns the cross product
+                      point.tangent[0] *= sign;
                       const auto &u = fe.base_element(0);
                       for (unsigned int a = 0; a < u.n_dofs_per_cell(); ++a)
                         {
                           point.shape.push_back(u.shape_value(a, place));
-                          point.slope.push_back(
-                            sign * (u.shape_grad(a, place) * direction));
+                          for (unsigned int k = 0; k < dim - 1; ++k)
+                            point.slope[k].push_back(
+                              (k == 0 ? sign : 1.0) *
+                              u.shape_grad(a, place)[axes[k]]);
                         }
                       if (space.is_micropolar())
                         {
@@ -182,32 +233,36 @@ namespace Riedel::Equilibrium
   void
   Loads<dim>::add_sides_of_extent(const double s) const
   {
-    static_assert(dim == 2, "the area of a side is written for 2D");
     for (unsigned int b = 0; b < surface.size(); ++b)
       {
         const auto &boundary = parameters->boundaries[b];
         if (!boundary.pressure.given() ||
             dealii::Utilities::MPI::this_mpi_process(space->communicator()) > 0)
           continue; // the sides are summed over the ranks
-        const unsigned int id     = body->boundary(boundary.name);
-        const unsigned int normal = id / 2, across = 1 - normal;
-        const double       sign   = id % 2 == 0 ? -1.0 : 1.0;
-        const auto         middle = [&](const auto &extent) {
+        const unsigned int id      = body->boundary(boundary.name);
+        const unsigned int normal  = id / 2;
+        const double       sign    = id % 2 == 0 ? -1.0 : 1.0;
+        const auto         area_of = [&](const auto &extent) {
+          double area = 1.0;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (d != normal)
+              area *= extent.side_length(d);
+          return area;
+        };
+        const auto middle = [&](const auto &extent) {
           dealii::Point<dim> x = extent.center();
-          x[normal] = id % 2 == 0 ? extent.lower_bound(normal) :
-                                            extent.upper_bound(normal);
+          x[normal]            = id % 2 == 0 ? extent.lower_bound(normal) :
+                                               extent.upper_bound(normal);
           return x;
         };
-        auto &side               = surface[b];
-        side.normal_area[normal] = sign * present_extent.side_length(across);
-        side.initial_normal_area[normal] =
-          sign * initial_extent.side_length(across);
-        const auto &area = boundary.area == LoadArea::initial ?
-                             side.initial_normal_area :
-                             side.normal_area;
-        side.force       = -boundary.pressure(middle(initial_extent), s) * area;
-        const auto x     = middle(present_extent);
-        side.moment      = x[0] * side.force[1] - x[1] * side.force[0];
+        auto &side                       = surface[b];
+        side.normal_area[normal]         = sign * area_of(present_extent);
+        side.initial_normal_area[normal] = sign * area_of(initial_extent);
+        const auto &area                 = boundary.area == LoadArea::initial ?
+                                             side.initial_normal_area :
+                                             side.normal_area;
+        side.force  = -boundary.pressure(middle(initial_extent), s) * area;
+        side.moment = Continuum::moment_of(middle(present_extent), side.force);
       }
   }
 
@@ -234,89 +289,95 @@ namespace Riedel::Equilibrium
         const unsigned int *dof      = dofs.data() + point.first_dof;
         const bool          follows  = boundary.area == LoadArea::current;
 
-        const auto normal = [](const dealii::Tensor<1, dim> &t) {
-          dealii::Tensor<1, dim> result;
-          result[0] = t[1];
-          result[1] = -t[0];
-          return result;
-        };
-        dealii::Tensor<1, dim> present = point.tangent;
-        dealii::Point<dim>     place   = point.position;
+        auto               present = point.tangent;
+        dealii::Point<dim> place   = point.position;
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int a = 0; a < n; ++a)
             {
-              present[d] += u[dof[d * n + a]] * point.slope[a];
+              for (unsigned int k = 0; k < dim - 1; ++k)
+                present[k][d] += u[dof[d * n + a]] * point.slope[k][a];
               place[d] += u[dof[d * n + a]] * point.shape[a];
             }
-        const dealii::Tensor<1, dim> tangent =
-          (follows ? present : point.tangent);
-        const double length = tangent.norm();
+        const auto   tangent       = (follows ? present : point.tangent);
+        const auto   normal_area   = normal<dim>(tangent);
+        const auto   normal_change = normal_derivatives<dim>(tangent);
+        const double area          = normal_area.norm();
 
         // Force and couple per d(xi), and their derivatives with respect to the
-        // tangent; of a virtual stress only the force counts here.
-        dealii::Tensor<1, dim> force, total, couple_derivative;
-        dealii::Tensor<2, dim> derivative;
-        double                 couple = 0.0;
+        // tangents; of a virtual stress only the force counts here.
+        dealii::Tensor<1, dim>                      force, total;
+        std::array<dealii::Tensor<2, dim>, dim - 1> derivative;
+        Continuum::Moment<dim>                      couple;
+        // of the area
+        std::array<dealii::Tensor<1, dim>, dim - 1> area_change;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          area_change[k] = normal_area / area * normal_change[k];
         if (boundary.pressure.given())
           {
             const double p = boundary.pressure(point.position, s);
-            total -= p * normal(tangent);
+            total -= p * normal_area;
             if (boundary.form == LoadForm::surface_integral)
               {
-                force -= p * normal(tangent);
-                derivative[0][1] -= p;
-                derivative[1][0] += p;
+                force -= p * normal_area;
+                for (unsigned int k = 0; k < dim - 1; ++k)
+                  derivative[k] -= p * normal_change[k];
               }
           }
         for (unsigned int d = 0; d < dim; ++d)
           if (boundary.traction[d].given())
             {
               const double t = boundary.traction[d](point.position, s);
-              force[d] += t * length;
-              total[d] += t * length;
-              derivative[d] += t / length * tangent;
+              force[d] += t * area;
+              total[d] += t * area;
+              for (unsigned int k = 0; k < dim - 1; ++k)
+                derivative[k][d] += t * area_change[k];
             }
-        if (boundary.couple_traction[0].given() && nw > 0)
-          {
-            const double m    = boundary.couple_traction[0](point.position, s);
-            couple            = m * length;
-            couple_derivative = m / length * tangent;
-          }
+        Continuum::Moment<dim> couple_per_area;
+        if (nw > 0)
+          for (unsigned int r = 0; r < n_spin; ++r)
+            if (boundary.couple_traction[r].given())
+              couple_per_area[r] =
+                boundary.couple_traction[r](point.position, s);
+        couple = area * couple_per_area;
 
         auto &sum = surface[point.boundary];
-        sum.normal_area += point.weight * normal(present);
-        sum.initial_normal_area += point.weight * normal(point.tangent);
+        sum.normal_area += point.weight * normal<dim>(present);
+        sum.initial_normal_area += point.weight * normal<dim>(point.tangent);
         sum.force += point.weight * total;
         sum.moment +=
-          point.weight * (place[0] * total[1] - place[1] * total[0] + couple);
+          point.weight * (Continuum::moment_of(place, total) + couple);
 
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int a = 0; a < n; ++a)
             forces[dof[d * n + a]] += point.weight * force[d] * point.shape[a];
-        for (unsigned int a = 0; a < nw; ++a)
-          forces[dof[dim * n + a]] +=
-            point.weight * couple * point.rotation_shape[a];
+        for (unsigned int r = 0; r < (nw > 0 ? n_spin : 0); ++r)
+          for (unsigned int a = 0; a < nw; ++a)
+            forces[dof[dim * n + r * nw + a]] +=
+              point.weight * couple[r] * point.rotation_shape[a];
 
         if (add_matrix && follows)
           {
-            const unsigned int n_dofs = dim * n + nw;
+            const unsigned int n_dofs = dim * n + n_spin * nw;
             global.resize(n_dofs);
             matrix.assign(n_dofs * n_dofs, 0.0);
             for (unsigned int i = 0; i < n_dofs; ++i)
               global[i] = space->relevant().nth_index_in_set(dof[i]);
-            for (unsigned int e = 0; e < dim; ++e)
-              for (unsigned int b = 0; b < n; ++b)
-                {
-                  const double       slope  = point.weight * point.slope[b];
-                  const unsigned int column = e * n + b;
-                  for (unsigned int d = 0; d < dim; ++d)
-                    for (unsigned int a = 0; a < n; ++a)
-                      matrix[(d * n + a) * n_dofs + column] -=
-                        slope * point.shape[a] * derivative[d][e];
-                  for (unsigned int a = 0; a < nw; ++a)
-                    matrix[(dim * n + a) * n_dofs + column] -=
-                      slope * point.rotation_shape[a] * couple_derivative[e];
-                }
+            for (unsigned int k = 0; k < dim - 1; ++k)
+              for (unsigned int e = 0; e < dim; ++e)
+                for (unsigned int b = 0; b < n; ++b)
+                  {
+                    const double       slope = point.weight * point.slope[k][b];
+                    const unsigned int column = e * n + b;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      for (unsigned int a = 0; a < n; ++a)
+                        matrix[(d * n + a) * n_dofs + column] -=
+                          slope * point.shape[a] * derivative[k][d][e];
+                    for (unsigned int r = 0; r < n_spin; ++r)
+                      for (unsigned int a = 0; a < nw; ++a)
+                        matrix[(dim * n + r * nw + a) * n_dofs + column] -=
+                          slope * point.rotation_shape[a] * couple_per_area[r] *
+                          area_change[k][e];
+                  }
             add_matrix(global, matrix);
           }
       }
@@ -325,4 +386,5 @@ namespace Riedel::Equilibrium
 
 
   template class Loads<2>;
+  template class Loads<3>;
 } // namespace Riedel::Equilibrium

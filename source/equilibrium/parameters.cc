@@ -458,4 +458,6 @@ namespace Riedel::Equilibrium
 
   template struct BoundaryConditionParameters<2>;
   template struct LoadingParameters<2>;
+  template struct BoundaryConditionParameters<3>;
+  template struct LoadingParameters<3>;
 } // namespace Riedel::Equilibrium

@@ -161,4 +161,6 @@ namespace Riedel::Equilibrium
 
   template struct PlateParameters<2>;
   template struct PlatesParameters<2>;
+  template struct PlateParameters<3>;
+  template struct PlatesParameters<3>;
 } // namespace Riedel::Equilibrium

@@ -204,8 +204,8 @@ namespace Riedel::Equilibrium
               contact.penetration =
                 present + uptake * (meeting.penetration - present);
             }
-          static_assert(dim == 2, "there is one shear direction");
-          contact.shear = continues ? row[traction_place + 1 - n] : 0.0;
+          // the one direction of shear in the plane
+          contact.shear = continues ? row[traction_place + (n + 1) % dim] : 0.0;
           if (continues)
             for (unsigned int d = 0; d < dim; ++d)
               contact.traction_before[d] = row[traction_place + d];
@@ -292,7 +292,7 @@ namespace Riedel::Equilibrium
     for (Contact &contact : contacts)
       {
         const auto        &plate = parameters->plates[contact.plate];
-        const unsigned int n = normal_axis(contact.face), t = 1 - n;
+        const unsigned int n = normal_axis(contact.face), t = (n + 1) % dim;
         const double       out = side(contact.face), k = contact.stiffness;
 
         contact.motion = 0.0;
@@ -395,19 +395,22 @@ namespace Riedel::Equilibrium
   Plates<dim>::reports() const
   {
     // of every plate: force, moment, points in contact, points that slide
-    constexpr unsigned int n_numbers = dim + 3;
+    constexpr unsigned int n_spin    = Grid::Space<dim>::n_spin;
+    constexpr unsigned int n_numbers = dim + n_spin + 2;
     std::vector<double>    numbers(motion.size() * n_numbers, 0.0);
     for (const Contact &contact : contacts)
       if (contact.is_closed)
         {
           double    *here  = &numbers[contact.plate * n_numbers];
           const auto force = contact.area * contact.traction;
-          const auto place = contact.centre + contact.motion;
+          const auto moment =
+            Continuum::moment_of(contact.centre + contact.motion, force);
           for (unsigned int d = 0; d < dim; ++d)
             here[d] += force[d];
-          here[dim] += place[0] * force[1] - place[1] * force[0];
-          here[dim + 1] += 1.0;
-          here[dim + 2] += contact.is_sliding ? 1.0 : 0.0;
+          for (unsigned int k = 0; k < n_spin; ++k)
+            here[dim + k] += moment[k];
+          here[dim + n_spin] += 1.0;
+          here[dim + n_spin + 1] += contact.is_sliding ? 1.0 : 0.0;
         }
     std::vector<double> sums(numbers.size());
     dealii::Utilities::MPI::sum(numbers, space->communicator(), sums);
@@ -420,9 +423,10 @@ namespace Riedel::Equilibrium
         result[i].displacement = displacement[i];
         for (unsigned int d = 0; d < dim; ++d)
           result[i].force[d] = here[d];
-        result[i].moment     = here[dim];
-        result[i].n_contacts = static_cast<unsigned int>(here[dim + 1]);
-        result[i].n_sliding  = static_cast<unsigned int>(here[dim + 2]);
+        for (unsigned int k = 0; k < n_spin; ++k)
+          result[i].moment[k] = here[dim + k];
+        result[i].n_contacts = static_cast<unsigned int>(here[dim + n_spin]);
+        result[i].n_sliding = static_cast<unsigned int>(here[dim + n_spin + 1]);
       }
     return result;
   }
@@ -430,4 +434,5 @@ namespace Riedel::Equilibrium
 
 
   template class Plates<2>;
+  template class Plates<3>;
 } // namespace Riedel::Equilibrium

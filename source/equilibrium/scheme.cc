@@ -315,4 +315,5 @@ namespace Riedel::Equilibrium
 
 
   template class Scheme<2>;
+  template class Scheme<3>;
 } // namespace Riedel::Equilibrium

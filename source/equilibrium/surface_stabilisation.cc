@@ -286,4 +286,5 @@ namespace Riedel::Equilibrium
 
 
   template class SurfaceStabilisation<2>;
+  template class SurfaceStabilisation<3>;
 } // namespace Riedel::Equilibrium

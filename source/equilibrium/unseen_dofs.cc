@@ -108,4 +108,10 @@ namespace Riedel::Equilibrium
                      const std::vector<BoundaryConditions<2>::Prescribed> &,
                      const Grid::Frame<2> &,
                      LinearAlgebra::Vector &);
+  template void
+  continue_to_unseen(const Grid::Space<3> &,
+                     const std::vector<unsigned int> &,
+                     const std::vector<BoundaryConditions<3>::Prescribed> &,
+                     const Grid::Frame<3> &,
+                     LinearAlgebra::Vector &);
 } // namespace Riedel::Equilibrium

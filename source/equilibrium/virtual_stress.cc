@@ -2,10 +2,59 @@
 #include <riedel/equilibrium/virtual_stress.h>
 #include <riedel/errors.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
 
 namespace Riedel::Equilibrium
 {
+  namespace
+  {
+    template <int dim>
+    dealii::Tensor<2, dim>
+    cofactor(const dealii::Tensor<2, dim> &f)
+    {
+      dealii::Tensor<2, dim> result;
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int A = 0; A < dim; ++A)
+          if constexpr (dim == 2)
+            result[k][A] = (k == A ? 1.0 : -1.0) * f[1 - k][1 - A];
+          else
+            result[k][A] =
+              f[(k + 1) % 3][(A + 1) % 3] * f[(k + 2) % 3][(A + 2) % 3] -
+              f[(k + 1) % 3][(A + 2) % 3] * f[(k + 2) % 3][(A + 1) % 3];
+      return result;
+    }
+
+
+
+    /// Calls @p use(k, A, l, B, d cofactor_kA / d f_lB) for all that are not
+    /// zero.
+    template <int dim, typename Use>
+    void
+    for_cofactor_derivatives(const dealii::Tensor<2, dim> &f, const Use &use)
+    {
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int A = 0; A < dim; ++A)
+          if constexpr (dim == 2)
+            {
+              (void)f;
+              use(k, A, 1 - k, 1 - A, k == A ? 1.0 : -1.0);
+            }
+          else
+            for (unsigned int r = 1; r <= 2; ++r)
+              for (unsigned int c = 1; c <= 2; ++c)
+                use(k,
+                    A,
+                    (k + r) % 3,
+                    (A + c) % 3,
+                    (r == c ? 1.0 : -1.0) *
+                      f[(k + 3 - r) % 3][(A + 3 - c) % 3]);
+    }
+  } // namespace
+
+
+
   template <int dim>
   VirtualStress<dim>::VirtualStress(
     const BoundaryConditionParameters<dim> &parameters)
@@ -59,14 +108,11 @@ namespace Riedel::Equilibrium
                                AtPoint                  &result,
                                double                   *tangent) const
   {
-    static_assert(dim == 2, "the cofactor of f is written for 2D");
-    using Order                = Continuum::Generalised<dim>;
-    constexpr unsigned int a11 = Order::gradient(0, 0),
-                           a12 = Order::gradient(0, 1),
-                           a21 = Order::gradient(1, 0),
-                           a22 = Order::gradient(1, 1);
-    const double f11 = 1.0 + increments[a11], f12 = increments[a12],
-                 f21 = increments[a21], f22 = 1.0 + increments[a22];
+    using Order              = Continuum::Generalised<dim>;
+    dealii::Tensor<2, dim> f = dealii::unit_symmetric_tensor<dim>();
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int A = 0; A < dim; ++A)
+        f[i][A] += increments[Order::gradient(i, A)];
 
     result = AtPoint();
     for (const Field &field : fields)
@@ -76,23 +122,24 @@ namespace Riedel::Equilibrium
         const double p =
           field.scale * pressure(present_position, load_parameter);
 
-        // j f^-T is the cofactor of f: linear in H in the plane
-        const double n_cofactor[2] = {n[0] * f22 - n[1] * f12,
-                                      n[1] * f11 - n[0] * f21};
+        // j f^-T is the cofactor of f
+        const dealii::Tensor<1, dim> n_cofactor = n * cofactor(f);
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int A = 0; A < dim; ++A)
             result.stresses[Order::gradient(i, A)] -= p * n[i] * n_cofactor[A];
 
         if (tangent != nullptr)
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              double *row_1 = tangent + Order::gradient(i, 0) * n_generalised;
-              double *row_2 = tangent + Order::gradient(i, 1) * n_generalised;
-              row_1[a22] += p * n[i] * n[0];
-              row_1[a12] -= p * n[i] * n[1];
-              row_2[a21] -= p * n[i] * n[0];
-              row_2[a11] += p * n[i] * n[1];
-            }
+          for_cofactor_derivatives(
+            f,
+            [&](const unsigned int k,
+                const unsigned int A,
+                const unsigned int l,
+                const unsigned int B,
+                const double       derivative) {
+              for (unsigned int i = 0; i < dim; ++i)
+                tangent[Order::gradient(i, A) * n_generalised +
+                        Order::gradient(l, B)] -= p * n[i] * n[k] * derivative;
+            });
 
         // central difference: the formula is smooth and given by the user
         constexpr double h = 1e-6;
@@ -100,11 +147,12 @@ namespace Riedel::Equilibrium
           (pressure(present_position + h * n, load_parameter) -
            pressure(present_position - h * n, load_parameter)) /
           (2.0 * h);
-        result.body_force -= (f11 * f22 - f12 * f21) * field.scale * slope * n;
+        result.body_force -= determinant(f) * field.scale * slope * n;
       }
   }
 
 
 
   template class VirtualStress<2>;
+  template class VirtualStress<3>;
 } // namespace Riedel::Equilibrium

@@ -119,4 +119,5 @@ namespace Riedel::Grid
 
 
   template class Body<2>;
+  template class Body<3>;
 } // namespace Riedel::Grid

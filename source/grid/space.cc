@@ -277,4 +277,5 @@ namespace Riedel::Grid
 
 
   template class Space<2>;
+  template class Space<3>;
 } // namespace Riedel::Grid

@@ -251,25 +251,26 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
-  DruckerPrager<micropolar>::DruckerPrager()
-    : FiniteStrainLaw<micropolar, true>("cohesion", "cohesion c' that is left")
+  template <int dim, bool micropolar>
+  DruckerPrager<dim, micropolar>::DruckerPrager()
+    : FiniteStrainLaw<dim, micropolar, true>("cohesion",
+                                             "cohesion c' that is left")
   {}
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   std::string
-  DruckerPrager<micropolar>::name() const
+  DruckerPrager<dim, micropolar>::name() const
   {
     return micropolar ? "Drucker-Prager micropolar" : "Drucker-Prager";
   }
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  DruckerPrager<micropolar>::declare(dealii::ParameterHandler &prm) const
+  DruckerPrager<dim, micropolar>::declare(dealii::ParameterHandler &prm) const
   {
     using dealii::Patterns::Double;
     using dealii::Patterns::Selection;
@@ -299,9 +300,9 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  DruckerPrager<micropolar>::parse(dealii::ParameterHandler &prm)
+  DruckerPrager<dim, micropolar>::parse(dealii::ParameterHandler &prm)
   {
     this->parse_elasticity(prm);
     this->plasticity = DruckerPragerPlasticity();
@@ -323,10 +324,10 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  DruckerPrager<micropolar>::check(const std::string &path,
-                                   Problems          &problems) const
+  DruckerPrager<dim, micropolar>::check(const std::string &path,
+                                        Problems          &problems) const
   {
     this->check_elasticity(path, problems);
     const auto require = [&](const bool         holds,
@@ -367,26 +368,27 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
-  VonMises<micropolar>::VonMises()
-    : FiniteStrainLaw<micropolar, true>("yield_stress",
-                                        "yield stress sqrt(3 J2) that is left")
+  template <int dim, bool micropolar>
+  VonMises<dim, micropolar>::VonMises()
+    : FiniteStrainLaw<dim, micropolar, true>(
+        "yield_stress",
+        "yield stress sqrt(3 J2) that is left")
   {}
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   std::string
-  VonMises<micropolar>::name() const
+  VonMises<dim, micropolar>::name() const
   {
     return micropolar ? "von Mises micropolar" : "von Mises";
   }
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  VonMises<micropolar>::declare(dealii::ParameterHandler &prm) const
+  VonMises<dim, micropolar>::declare(dealii::ParameterHandler &prm) const
   {
     this->declare_elasticity(prm);
     prm.declare_entry("Yield stress",
@@ -400,9 +402,9 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  VonMises<micropolar>::parse(dealii::ParameterHandler &prm)
+  VonMises<dim, micropolar>::parse(dealii::ParameterHandler &prm)
   {
     this->parse_elasticity(prm);
     this->plasticity          = DruckerPragerPlasticity();
@@ -415,9 +417,10 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  VonMises<micropolar>::check(const std::string &path, Problems &problems) const
+  VonMises<dim, micropolar>::check(const std::string &path,
+                                   Problems          &problems) const
   {
     this->check_elasticity(path, problems);
     if (!(this->plasticity.strength > 0.))
@@ -437,8 +440,12 @@ namespace Riedel::Material
 
 
 
-  template class DruckerPrager<false>;
-  template class DruckerPrager<true>;
-  template class VonMises<false>;
-  template class VonMises<true>;
+  template class DruckerPrager<2, false>;
+  template class DruckerPrager<2, true>;
+  template class DruckerPrager<3, false>;
+  template class DruckerPrager<3, true>;
+  template class VonMises<2, false>;
+  template class VonMises<2, true>;
+  template class VonMises<3, false>;
+  template class VonMises<3, true>;
 } // namespace Riedel::Material

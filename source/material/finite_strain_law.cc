@@ -21,27 +21,54 @@ namespace Riedel::Material
   namespace
   {
     /// Places in a point's state, in the order of the constructor.
-    template <bool micropolar, bool plastic>
+    template <int dim, bool micropolar, bool plastic>
     struct Places
     {
-      static constexpr unsigned int couple_stress = 5;
-      static constexpr unsigned int elastic       = micropolar ? 7 : 5;
-      static constexpr unsigned int curvature     = elastic + 5;
+      static constexpr unsigned int n_tensor =
+        Continuum::SpaceTensor<dim, double>::n;
+      static constexpr unsigned int n_couple =
+        micropolar ? Continuum::CurvatureTensor<dim, double>::n : 0;
+      static constexpr unsigned int couple_stress = n_tensor;
+      static constexpr unsigned int elastic       = couple_stress + n_couple;
+      static constexpr unsigned int curvature     = elastic + n_tensor;
       /// total_strain or volume_ratio
-      static constexpr unsigned int total = curvature + (micropolar ? 2 : 0);
-      static constexpr unsigned int multiplier = total + (micropolar ? 5 : 1);
-      static constexpr unsigned int strength   = multiplier + 1;
-      static constexpr unsigned int yield      = strength + 1;
-      static constexpr unsigned int n          = plastic ? yield + 1 : total;
+      static constexpr unsigned int total = curvature + n_couple;
+      static constexpr unsigned int multiplier =
+        total + (micropolar ? n_tensor : 1);
+      static constexpr unsigned int strength = multiplier + 1;
+      static constexpr unsigned int yield    = strength + 1;
+      static constexpr unsigned int n        = plastic ? yield + 1 : total;
     };
 
-    const std::vector<std::string> components = {"11", "22", "33", "12", "21"};
+    template <int dim>
+    std::vector<std::string>
+    tensor_components()
+    {
+      std::vector<std::string> names = {"11", "22", "33", "12", "21"};
+      if (dim == 3)
+        names.insert(names.end(), {"13", "31", "23", "32"});
+      return names;
+    }
 
-    template <bool micropolar, bool plastic>
+
+
+    /// In plane strain the axis of the face alone: the other is 3.
+    template <int dim>
+    std::vector<std::string>
+    couple_components()
+    {
+      if (dim == 2)
+        return {"1", "2"};
+      return {"11", "12", "13", "21", "22", "23", "31", "32", "33"};
+    }
+
+    template <int dim, bool micropolar, bool plastic>
     StateLayout
     make_layout(const std::string &strength_slot,
                 const std::string &strength_meaning)
     {
+      const auto  components = tensor_components<dim>();
+      const auto  couples    = couple_components<dim>();
       StateLayout layout;
       layout.add("stress",
                  "Pa",
@@ -50,8 +77,10 @@ namespace Riedel::Material
       if (micropolar)
         layout.add("couple_stress",
                    "N/m",
-                   "couple stress m_31, m_32 on faces with normals 1, 2",
-                   {"1", "2"});
+                   dim == 2 ?
+                     "couple stress m_31, m_32 on faces with normals 1, 2" :
+                     "couple stress m_ij, second index: face normal",
+                   couples);
       layout.add("elastic_strain",
                  "1",
                  "elastic left stretch minus unit tensor, V^e - I",
@@ -59,8 +88,9 @@ namespace Riedel::Material
       if (micropolar)
         layout.add("elastic_curvature",
                    "1/m",
-                   "elastic left curvature k_31, k_32",
-                   {"1", "2"});
+                   dim == 2 ? "elastic left curvature k_31, k_32" :
+                              "elastic left curvature k_ij",
+                   couples);
       if (plastic)
         {
           if (micropolar)
@@ -88,21 +118,25 @@ namespace Riedel::Material
 
     /// What a state says of stretch and curvature. @p at gives the number of a
     /// place.
-    template <bool micropolar, bool plastic, typename Value, typename At>
-    StretchAndCurvature<2, Value>
+    template <int  dim,
+              bool micropolar,
+              bool plastic,
+              typename Value,
+              typename At>
+    StretchAndCurvature<dim, Value>
     read_motion(const At &at)
     {
-      using Place = Places<micropolar, plastic>;
-      StretchAndCurvature<2, Value> motion;
-      for (unsigned int i = 0; i < 5; ++i)
+      using Place = Places<dim, micropolar, plastic>;
+      StretchAndCurvature<dim, Value> motion;
+      for (unsigned int i = 0; i < Place::n_tensor; ++i)
         motion.elastic.components[i] = at(Place::elastic + i);
       motion.curvature.components.fill(Value(0.));
       if constexpr (micropolar)
-        for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int i = 0; i < Place::n_couple; ++i)
           motion.curvature.components[i] = at(Place::curvature + i);
       motion.total = motion.elastic;
       if constexpr (plastic && micropolar)
-        for (unsigned int i = 0; i < 5; ++i)
+        for (unsigned int i = 0; i < Place::n_tensor; ++i)
           motion.total.components[i] = at(Place::total + i);
       if constexpr (plastic && !micropolar)
         {
@@ -116,30 +150,34 @@ namespace Riedel::Material
 
 
     /// Writes what the step has made of a point. @p at as above, to write to.
-    template <bool micropolar, bool plastic, typename Number, typename At>
+    template <int  dim,
+              bool micropolar,
+              bool plastic,
+              typename Number,
+              typename At>
     void
-    write_state(const StretchAndCurvature<2, Number>        &motion,
-                const Continuum::SpaceTensor<2, Number>     &kirchhoff,
-                const Continuum::CurvatureTensor<2, Number> &kirchhoff_couple,
-                const Number                                &volume,
-                const At                                    &at)
+    write_state(const StretchAndCurvature<dim, Number>        &motion,
+                const Continuum::SpaceTensor<dim, Number>     &kirchhoff,
+                const Continuum::CurvatureTensor<dim, Number> &kirchhoff_couple,
+                const Number                                  &volume,
+                const At                                      &at)
     {
-      using Place        = Places<micropolar, plastic>;
+      using Place        = Places<dim, micropolar, plastic>;
       const auto inverse = 1. / value_of(volume);
-      for (unsigned int i = 0; i < 5; ++i)
+      for (unsigned int i = 0; i < Place::n_tensor; ++i)
         {
           at(i, value_of(kirchhoff.components[i]) * inverse);
           at(Place::elastic + i, value_of(motion.elastic.components[i]));
         }
       if constexpr (micropolar)
-        for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int i = 0; i < Place::n_couple; ++i)
           {
             at(Place::couple_stress + i,
                value_of(kirchhoff_couple.components[i]) * inverse);
             at(Place::curvature + i, value_of(motion.curvature.components[i]));
           }
       if constexpr (plastic && micropolar)
-        for (unsigned int i = 0; i < 5; ++i)
+        for (unsigned int i = 0; i < Place::n_tensor; ++i)
           at(Place::total + i, value_of(motion.total.components[i]));
       if constexpr (plastic && !micropolar)
         at(Place::total, value_of(volume));
@@ -150,40 +188,42 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
-  FiniteStrainLaw<micropolar, plastic>::FiniteStrainLaw(
+  template <int dim, bool micropolar, bool plastic>
+  FiniteStrainLaw<dim, micropolar, plastic>::FiniteStrainLaw(
     const std::string &strength_slot,
     const std::string &strength_meaning)
-    : slots(make_layout<micropolar, plastic>(strength_slot, strength_meaning))
+    : slots(
+        make_layout<dim, micropolar, plastic>(strength_slot, strength_meaning))
   {}
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::initialise(const InitialState &initial,
-                                                   double *state) const
+  FiniteStrainLaw<dim, micropolar, plastic>::initialise(
+    const InitialState &initial,
+    double             *state) const
   {
-    using Place = Places<micropolar, plastic>;
+    using Place = Places<dim, micropolar, plastic>;
     std::fill(state, state + slots.size(), 0.);
-    StretchAndCurvature<2, double> motion;
+    StretchAndCurvature<dim, double> motion;
     motion.elastic.components.fill(0.);
     motion.curvature.components.fill(0.);
     // check_initial() refuses stresses without a strain
-    if (const auto strain = strain_of_stress(elasticity, initial.stress))
+    if (const auto strain = strain_of_stress<dim>(elasticity, initial.stress))
       motion.elastic = *strain;
     motion.total        = motion.elastic;
     const double volume = 1. + determinant_minus_one(motion.elastic);
-    const ReturnMapping<2, micropolar> mapping(elasticity, plasticity);
-    const auto                         stress = mapping.stress(motion);
-    write_state<micropolar, plastic>(motion,
-                                     stress.force,
-                                     stress.couple,
-                                     volume,
-                                     [&](const unsigned int place,
-                                         const double       value) {
-                                       state[place] = value;
-                                     });
+    const ReturnMapping<dim, micropolar> mapping(elasticity, plasticity);
+    const auto                           stress = mapping.stress(motion);
+    write_state<dim, micropolar, plastic>(motion,
+                                          stress.force,
+                                          stress.couple,
+                                          volume,
+                                          [&](const unsigned int place,
+                                              const double       value) {
+                                            state[place] = value;
+                                          });
     if constexpr (plastic)
       {
         const double strength  = plasticity.strength_at(0.);
@@ -195,30 +235,42 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::stresses_at_rest(const double *state,
-                                                         double *stresses) const
+  FiniteStrainLaw<dim, micropolar, plastic>::stresses_at_rest(
+    const double *state,
+    double       *stresses) const
   {
-    stresses[0] = state[0];
-    stresses[1] = state[3];
-    stresses[2] = state[4];
-    stresses[3] = state[1];
+    using Place = Places<dim, micropolar, plastic>;
+    using Order = Continuum::Generalised<dim>;
+    Continuum::SpaceTensor<dim, double> sigma;
+    std::copy_n(state, Place::n_tensor, sigma.components.begin());
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        stresses[Order::gradient(i, j)] = sigma(i, j);
     if constexpr (micropolar)
       {
-        stresses[4] = state[3] - state[4];
-        stresses[5] = state[Places<micropolar, plastic>::couple_stress];
-        stresses[6] = state[Places<micropolar, plastic>::couple_stress + 1];
+        for (unsigned int k = 0; k < Order::n_spin; ++k)
+          {
+            const unsigned int i = (k + 1) % 3 % dim, j = (k + 2) % 3 % dim;
+            // in plane strain the only axis is 3
+            stresses[Order::spin(k)] =
+              dim == 2 ? sigma(0, 1) - sigma(1, 0) : sigma(i, j) - sigma(j, i);
+          }
+        std::copy_n(state + Place::couple_stress,
+                    Place::n_couple,
+                    stresses + Order::curvature(0, 0));
       }
   }
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::count_yielding(const double a,
-                                                       const double A_p,
-                                                       Report &report) const
+  FiniteStrainLaw<dim, micropolar, plastic>::count_yielding(
+    const double a,
+    const double A_p,
+    Report      &report) const
   {
     ++report.yielding;
     const double h = plasticity.modulus_at(a);
@@ -236,10 +288,10 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   template <typename Number>
   Report::Refusal
-  FiniteStrainLaw<micropolar, plastic>::respond_point(
+  FiniteStrainLaw<dim, micropolar, plastic>::respond_point(
     const double *increment,
     const double  axis_3_strain,
     const double *committed,
@@ -248,8 +300,8 @@ namespace Riedel::Material
     double       *tangent,
     Report       &report) const
   {
-    using Step               = FiniteStrainStep<2, micropolar, Number>;
-    using Place              = Places<micropolar, plastic>;
+    using Step               = FiniteStrainStep<dim, micropolar, Number>;
+    using Place              = Places<dim, micropolar, plastic>;
     constexpr unsigned int n = Step::n;
 
     std::array<Number, n> inputs;
@@ -257,7 +309,7 @@ namespace Riedel::Material
       inputs[i] = input<Number>(increment[i], i);
 
     Step step(inputs,
-              read_motion<micropolar, plastic, double>(
+              read_motion<dim, micropolar, plastic, double>(
                 [&](const unsigned int place) { return committed[place]; }),
               axis_3_strain);
     if (!step.valid)
@@ -265,10 +317,10 @@ namespace Riedel::Material
                Report::Refusal::inverted_step :
                Report::Refusal::not_finite;
 
-    const ReturnMapping<2, micropolar> mapping(elasticity, plasticity);
-    Return                             where  = Return::elastic;
-    double                             a      = 0.;
-    auto                               stress = mapping.stress(step.trial);
+    const ReturnMapping<dim, micropolar> mapping(elasticity, plasticity);
+    Return                               where  = Return::elastic;
+    double                               a      = 0.;
+    auto                                 stress = mapping.stress(step.trial);
     if constexpr (plastic)
       {
         a                = committed[Place::multiplier];
@@ -290,14 +342,14 @@ namespace Riedel::Material
     if (!std::isfinite(sum))
       return Report::Refusal::not_finite;
 
-    write_state<micropolar, plastic>(step.trial,
-                                     stress.force,
-                                     stress.couple,
-                                     step.volume,
-                                     [&](const unsigned int place,
-                                         const double       value) {
-                                       trial[place] = value;
-                                     });
+    write_state<dim, micropolar, plastic>(step.trial,
+                                          stress.force,
+                                          stress.couple,
+                                          step.volume,
+                                          [&](const unsigned int place,
+                                              const double       value) {
+                                            trial[place] = value;
+                                          });
     if constexpr (plastic)
       {
         const double strength    = plasticity.strength_at(a);
@@ -324,15 +376,15 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   template <typename Number>
   void
-  FiniteStrainLaw<micropolar, plastic>::respond_point(const Batch       &batch,
-                                                      const unsigned int p,
-                                                      Report &report) const
+  FiniteStrainLaw<dim, micropolar, plastic>::respond_point(const Batch &batch,
+                                                           const unsigned int p,
+                                                           Report &report) const
   {
-    constexpr unsigned int n       = FiniteStrainStep<2, micropolar, Number>::n;
-    constexpr unsigned int n_state = Places<micropolar, plastic>::n;
+    constexpr unsigned int n = FiniteStrainStep<dim, micropolar, Number>::n;
+    constexpr unsigned int n_state = Places<dim, micropolar, plastic>::n;
 
     const Report::Refusal refusal = respond_point<Number>(
       batch.increments + p * n,
@@ -354,86 +406,101 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::respond_group(const Batch       &batch,
-                                                      const unsigned int first,
-                                                      Report &report) const
+  FiniteStrainLaw<dim, micropolar, plastic>::respond_group(
+    const Batch       &batch,
+    const unsigned int first,
+    Report            &report) const
   {
-    using Number                   = Continuum::Lanes<n_lanes>;
-    using Step                     = FiniteStrainStep<2, micropolar, Number>;
-    using Place                    = Places<micropolar, plastic>;
-    constexpr unsigned int n       = Step::n;
-    constexpr unsigned int n_state = Place::n;
-
-    // where the batch ends inside the group, its last point fills the lanes
-    const unsigned int n_points =
-      std::min<unsigned int>(n_lanes, batch.n_points - first);
-    std::array<Number, n>       inputs;
-    std::array<Number, n_state> state;
-    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    if constexpr (dim == 2)
       {
-        const unsigned int p = first + std::min(lane, n_points - 1);
-        for (unsigned int i = 0; i < n; ++i)
-          inputs[i].values[lane] = batch.increments[p * n + i];
-        for (unsigned int i = 0; i < n_state; ++i)
-          state[i].values[lane] = batch.committed[p * n_state + i];
-      }
+        using Number             = Continuum::Lanes<n_lanes>;
+        using Step               = FiniteStrainStep<dim, micropolar, Number>;
+        using Place              = Places<dim, micropolar, plastic>;
+        constexpr unsigned int n = Step::n;
+        constexpr unsigned int n_state = Place::n;
 
-    const Step               step(inputs,
-                    read_motion<micropolar, plastic, Number>(
-                      [&](const unsigned int place) { return state[place]; }));
-    Continuum::Mask<n_lanes> usual = step.valid;
-    std::array<Number, n>    generalised{};
-    if (any(usual))
-      {
-        const ReturnMapping<2, micropolar> mapping(elasticity, plasticity);
-        const auto                         stress = mapping.stress(step.trial);
-        generalised = step.generalised(stress.force, stress.couple);
-        write_state<micropolar, plastic>(step.trial,
-                                         stress.force,
-                                         stress.couple,
-                                         step.volume,
-                                         [&](const unsigned int place,
-                                             const Number      &value) {
-                                           state[place] = value;
-                                         });
-        Number sum = stress.force.components[2];
-        for (const Number &component : generalised)
-          sum += component;
-        usual = usual && is_finite(sum);
-        if constexpr (plastic)
+        // where the batch ends inside the group, its last point fills the lanes
+        const unsigned int n_points =
+          std::min<unsigned int>(n_lanes, batch.n_points - first);
+        std::array<Number, n>       inputs;
+        std::array<Number, n_state> state;
+        for (unsigned int lane = 0; lane < n_lanes; ++lane)
           {
-            const auto   trial    = mapping.invariants(stress, step.volume);
-            const Number strength = strength_factor * state[Place::strength];
-            state[Place::yield]   = trial.function(plasticity, strength);
-            usual = usual && mapping.is_elastic(trial, strength);
+            const unsigned int p = first + std::min(lane, n_points - 1);
+            for (unsigned int i = 0; i < n; ++i)
+              inputs[i].values[lane] = batch.increments[p * n + i];
+            for (unsigned int i = 0; i < n_state; ++i)
+              state[i].values[lane] = batch.committed[p * n_state + i];
           }
+
+        const Step               step(inputs,
+                        read_motion<dim, micropolar, plastic, Number>(
+                          [&](const unsigned int place) {
+                            return state[place];
+                          }));
+        Continuum::Mask<n_lanes> usual = step.valid;
+        std::array<Number, n>    generalised{};
+        if (any(usual))
+          {
+            const ReturnMapping<dim, micropolar> mapping(elasticity,
+                                                         plasticity);
+            const auto stress = mapping.stress(step.trial);
+            generalised       = step.generalised(stress.force, stress.couple);
+            write_state<dim, micropolar, plastic>(step.trial,
+                                                  stress.force,
+                                                  stress.couple,
+                                                  step.volume,
+                                                  [&](const unsigned int place,
+                                                      const Number &value) {
+                                                    state[place] = value;
+                                                  });
+            Number sum = stress.force.components[2];
+            for (const Number &component : generalised)
+              sum += component;
+            usual = usual && is_finite(sum);
+            if constexpr (plastic)
+              {
+                const auto   trial = mapping.invariants(stress, step.volume);
+                const Number strength =
+                  strength_factor * state[Place::strength];
+                state[Place::yield] = trial.function(plasticity, strength);
+                usual = usual && mapping.is_elastic(trial, strength);
+              }
+          }
+        for (unsigned int lane = 0; lane < n_points; ++lane)
+          if (usual[lane])
+            {
+              const unsigned int p = first + lane;
+              for (unsigned int i = 0; i < n_state; ++i)
+                batch.trial[p * n_state + i] = state[i][lane];
+              for (unsigned int i = 0; i < n; ++i)
+                batch.stresses[p * n + i] = generalised[i][lane];
+              ++report.substeps;
+            }
+          else
+            respond_point<double>(batch, first + lane, report);
       }
-    for (unsigned int lane = 0; lane < n_points; ++lane)
-      if (usual[lane])
-        {
-          const unsigned int p = first + lane;
-          for (unsigned int i = 0; i < n_state; ++i)
-            batch.trial[p * n_state + i] = state[i][lane];
-          for (unsigned int i = 0; i < n; ++i)
-            batch.stresses[p * n + i] = generalised[i][lane];
-          ++report.substeps;
-        }
-      else
-        respond_point<double>(batch, first + lane, report);
+    else
+      for (unsigned int p = first; p < batch.n_points && p < first + n_lanes;
+           ++p)
+        respond_point<double>(batch, p, report);
   }
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   Report
-  FiniteStrainLaw<micropolar, plastic>::respond(const Batch &batch) const
+  FiniteStrainLaw<dim, micropolar, plastic>::respond(const Batch &batch) const
   {
+    constexpr int n_derivatives =
+      Continuum::n_derivatives(FiniteStrainStep<dim, micropolar, double>::n);
+
     Report report;
     if (batch.tangents != nullptr)
       for (unsigned int p = 0; p < batch.n_points; ++p)
-        respond_point<Forward<micropolar ? 8 : 4>>(batch, p, report);
+        respond_point<Forward<n_derivatives>>(batch, p, report);
     else if (batch.axis_3_strains != nullptr)
       for (unsigned int p = 0; p < batch.n_points; ++p)
         respond_point<double>(batch, p, report);
@@ -445,9 +512,9 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::declare_elasticity(
+  FiniteStrainLaw<dim, micropolar, plastic>::declare_elasticity(
     dealii::ParameterHandler &prm) const
   {
     using dealii::Patterns::Double;
@@ -491,9 +558,9 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::parse_elasticity(
+  FiniteStrainLaw<dim, micropolar, plastic>::parse_elasticity(
     dealii::ParameterHandler &prm)
   {
     elasticity        = NeoHookeanElasticity();
@@ -510,9 +577,9 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::check_elasticity(
+  FiniteStrainLaw<dim, micropolar, plastic>::check_elasticity(
     const std::string &path,
     Problems          &problems) const
   {
@@ -555,16 +622,16 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar, bool plastic>
+  template <int dim, bool micropolar, bool plastic>
   void
-  FiniteStrainLaw<micropolar, plastic>::check_initial(
+  FiniteStrainLaw<dim, micropolar, plastic>::check_initial(
     const InitialState &initial,
     const std::string  &path,
     Problems           &problems) const
   {
     if (!(elasticity.mu > 0.) || !(elasticity.bulk_modulus() > 0.))
       return; // check() has said so
-    const auto         strain = strain_of_stress(elasticity, initial.stress);
+    const auto strain = strain_of_stress<dim>(elasticity, initial.stress);
     std::ostringstream text;
     text << "The initial stress (11: " << initial.stress[0][0]
          << ", 22: " << initial.stress[1][1] << ", 33: " << initial.stress[2][2]
@@ -579,7 +646,7 @@ namespace Riedel::Material
       {
         std::vector<double> state(slots.size());
         initialise(initial, state.data());
-        const double f = state[Places<micropolar, plastic>::yield];
+        const double f = state[Places<dim, micropolar, plastic>::yield];
         if (f > 1e-9 * (plasticity.strength + initial.stress.norm()))
           {
             text << "lies outside the yield surface: q + A p - c = " << f
@@ -591,47 +658,53 @@ namespace Riedel::Material
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   std::string
-  NeoHookean<micropolar>::name() const
+  NeoHookean<dim, micropolar>::name() const
   {
     return micropolar ? "neo-Hookean micropolar" : "neo-Hookean";
   }
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  NeoHookean<micropolar>::declare(dealii::ParameterHandler &prm) const
+  NeoHookean<dim, micropolar>::declare(dealii::ParameterHandler &prm) const
   {
     this->declare_elasticity(prm);
   }
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  NeoHookean<micropolar>::parse(dealii::ParameterHandler &prm)
+  NeoHookean<dim, micropolar>::parse(dealii::ParameterHandler &prm)
   {
     this->parse_elasticity(prm);
   }
 
 
 
-  template <bool micropolar>
+  template <int dim, bool micropolar>
   void
-  NeoHookean<micropolar>::check(const std::string &path,
-                                Problems          &problems) const
+  NeoHookean<dim, micropolar>::check(const std::string &path,
+                                     Problems          &problems) const
   {
     this->check_elasticity(path, problems);
   }
 
 
 
-  template class FiniteStrainLaw<false, false>;
-  template class FiniteStrainLaw<false, true>;
-  template class FiniteStrainLaw<true, false>;
-  template class FiniteStrainLaw<true, true>;
-  template class NeoHookean<false>;
-  template class NeoHookean<true>;
+  template class FiniteStrainLaw<2, false, false>;
+  template class FiniteStrainLaw<2, false, true>;
+  template class FiniteStrainLaw<2, true, false>;
+  template class FiniteStrainLaw<2, true, true>;
+  template class FiniteStrainLaw<3, false, false>;
+  template class FiniteStrainLaw<3, false, true>;
+  template class FiniteStrainLaw<3, true, false>;
+  template class FiniteStrainLaw<3, true, true>;
+  template class NeoHookean<2, false>;
+  template class NeoHookean<2, true>;
+  template class NeoHookean<3, false>;
+  template class NeoHookean<3, true>;
 } // namespace Riedel::Material

@@ -13,20 +13,22 @@ namespace Riedel::Material
 {
   namespace
   {
+    template <int dim>
     bool
     is_known(const std::string &law)
     {
-      const std::vector<std::string> laws = known_laws();
+      const std::vector<std::string> laws = known_laws<dim>();
       return std::find(laws.begin(), laws.end(), law) != laws.end();
     }
 
 
 
+    template <int dim>
     std::string
     list_of_laws(const std::string &separator)
     {
       std::string list;
-      for (const std::string &law : known_laws())
+      for (const std::string &law : known_laws<dim>())
         list += (list.empty() ? "" : separator) + law;
       return list;
     }
@@ -45,8 +47,8 @@ namespace Riedel::Material
       {
         prm.enter_subsection(name);
         prm.declare_entry("Law",
-                          known_laws().front(),
-                          dealii::Patterns::Selection(list_of_laws("|")),
+                          known_laws<dim>().front(),
+                          dealii::Patterns::Selection(list_of_laws<dim>("|")),
                           "The constitutive law. It decides which other "
                           "parameters this section has.",
                           true);
@@ -57,7 +59,7 @@ namespace Riedel::Material
                           "lower left and upper right corner [m]. Empty: the "
                           "whole body. Where several materials claim a point, "
                           "the one named last gets it.");
-        if (is_known(law))
+        if (is_known<dim>(law))
           create_law<dim>(law)->declare(prm);
         prm.leave_subsection();
       }
@@ -76,10 +78,10 @@ namespace Riedel::Material
     prm.enter_subsection("Materials");
     for (const auto &[name, law] : names)
       {
-        if (!is_known(law))
+        if (!is_known<dim>(law))
           throw ParameterError("Materials/" + name + "/Law",
-                               "There is no law \"" + law +
-                                 "\". Known laws: " + list_of_laws(", ") + ".");
+                               "There is no law \"" + law + "\". Known laws: " +
+                                 list_of_laws<dim>(", ") + ".");
         prm.enter_subsection(name);
         Entry entry;
         entry.name = name;
@@ -166,4 +168,5 @@ namespace Riedel::Material
 
 
   template struct Parameters<2>;
+  template struct Parameters<3>;
 } // namespace Riedel::Material

@@ -338,4 +338,5 @@ namespace Riedel::Output
 
 
   template class Fields<2>;
+  template class Fields<3>;
 } // namespace Riedel::Output

@@ -241,4 +241,15 @@ namespace Riedel::Output
           const Timer &,
           const double,
           const MPI_Comm);
+  template std::string
+  step_line(const StepRecord<3> &, const double);
+  template std::string
+  summary(const StepRecord<3> &,
+          const std::size_t,
+          const std::size_t,
+          const unsigned int,
+          const Equilibrium::Assembly<3>::Cost &,
+          const Timer &,
+          const double,
+          const MPI_Comm);
 } // namespace Riedel::Output

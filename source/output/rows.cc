@@ -108,8 +108,12 @@ namespace Riedel::Output
           row.emplace_back(name + " force " + std::to_string(d + 1) + " [N" +
                              per_metre + "]",
                            reaction.force[d]);
-        row.emplace_back(name + " moment [N" + (dim == 2 ? "" : " m") + "]",
-                         reaction.moment);
+        for (unsigned int k = 0; k < reaction.moment.dimension; ++k)
+          row.emplace_back(name + " moment" +
+                             (dim == 2 ?
+                                " [N]" :
+                                " " + std::to_string(k + 1) + " [N m]"),
+                           reaction.moment[k]);
       }
 
     for (const auto &plate : record.plates)
@@ -246,4 +250,16 @@ namespace Riedel::Output
   energy_error(const StepRecord<2> &);
   template Row
   history_row(const StepRecord<2> &);
+  template struct StepRecord<3>;
+  template void
+  sum_up_points(const Points::MaterialPoints<3> &,
+                const MPI_Comm,
+                StepRecord<3> &);
+  template void
+  add_plates(const std::vector<Equilibrium::Plates<3>::Report> &,
+             StepRecord<3> &);
+  template double
+  energy_error(const StepRecord<3> &);
+  template Row
+  history_row(const StepRecord<3> &);
 } // namespace Riedel::Output

@@ -81,4 +81,5 @@ namespace Riedel::Output
 
 
   template class Watch<2>;
+  template class Watch<3>;
 } // namespace Riedel::Output

@@ -408,4 +408,5 @@ namespace Riedel::Points
 
 
   template class CurrentSupports<2>;
+  template class CurrentSupports<3>;
 } // namespace Riedel::Points

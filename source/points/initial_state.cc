@@ -92,4 +92,7 @@ namespace Riedel::Points
   template class InitialState<2>;
   template double
   uniform_at<2>(const std::array<int, 2> &, const unsigned int);
+  template class InitialState<3>;
+  template double
+  uniform_at<3>(const std::array<int, 3> &, const unsigned int);
 } // namespace Riedel::Points

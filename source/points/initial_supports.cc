@@ -452,4 +452,5 @@ namespace Riedel::Points
 
 
   template class InitialSupports<2>;
+  template class InitialSupports<3>;
 } // namespace Riedel::Points

@@ -62,4 +62,6 @@ namespace Riedel::Points
 
   template std::optional<PointBox<2>>
   joint_box(const PointBox<2> &, const PointBox<2> &, const double);
+  template std::optional<PointBox<3>>
+  joint_box(const PointBox<3> &, const PointBox<3> &, const double);
 } // namespace Riedel::Points

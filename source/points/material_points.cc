@@ -4,6 +4,7 @@
 #include <riedel/points/material_points.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
@@ -349,13 +350,23 @@ namespace Riedel::Points
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         F[i][j] = row[place.deformation_gradient + i * dim + j];
-    static_assert(dim == 2, "the square root of C is written for 2D");
     const dealii::Tensor<2, dim> C = transpose(F) * F;
-    // U = (C + det(F) I) / sqrt(tr C + 2 det F)
-    const double J    = determinant(F);
-    const double root = std::sqrt(trace(C) + 2.0 * J);
-    for (unsigned int d = 0; d < dim; ++d)
-      lengths[d] = row[place.half_length + d] * (C[d][d] + J) / root;
+    // the diagonal of U = sqrt(C)
+    if constexpr (dim == 2)
+      {
+        // U = (C + det(F) I) / sqrt(tr C + 2 det F)
+        const double J    = determinant(F);
+        const double root = std::sqrt(trace(C) + 2.0 * J);
+        for (unsigned int d = 0; d < dim; ++d)
+          lengths[d] = row[place.half_length + d] * (C[d][d] + J) / root;
+      }
+    else
+      for (const auto &[square, direction] :
+           eigenvectors(dealii::symmetrize(C),
+                        dealii::SymmetricTensorEigenvectorMethod::jacobi))
+        for (unsigned int d = 0; d < dim; ++d)
+          lengths[d] += row[place.half_length + d] * std::sqrt(square) *
+                        direction[d] * direction[d];
     return lengths;
   }
 
@@ -489,4 +500,5 @@ namespace Riedel::Points
 
 
   template class MaterialPoints<2>;
+  template class MaterialPoints<3>;
 } // namespace Riedel::Points

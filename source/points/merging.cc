@@ -180,4 +180,5 @@ namespace Riedel::Points
 
 
   template class Merging<2>;
+  template class Merging<3>;
 } // namespace Riedel::Points

@@ -85,4 +85,15 @@ namespace Riedel::Points
                const Grid::Frame<2> &,
                const std::vector<double> &,
                const std::vector<unsigned int> &);
+  template std::uint64_t
+  n_out_of_reach(const Grid::Space<3> &,
+                 const Grid::Frame<3> &,
+                 const std::vector<double> &,
+                 const MaterialPoints<3> &,
+                 const Supports<3> &);
+  template double
+  largest_move(const Grid::Space<3> &,
+               const Grid::Frame<3> &,
+               const std::vector<double> &,
+               const std::vector<unsigned int> &);
 } // namespace Riedel::Points

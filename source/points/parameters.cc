@@ -217,4 +217,5 @@ namespace Riedel::Points
 
 
   template struct InitialStateParameters<2>;
+  template struct InitialStateParameters<3>;
 } // namespace Riedel::Points

@@ -124,4 +124,11 @@ namespace Riedel::Points
                const MaterialPoints<2> &,
                const Supports<2> &,
                const unsigned int);
+  template dealii::BoundingBox<3>
+  extent(const MaterialPoints<3> &, const MPI_Comm);
+  template std::vector<double>
+  nodal_values(const Grid::Space<3> &,
+               const MaterialPoints<3> &,
+               const Supports<3> &,
+               const unsigned int);
 } // namespace Riedel::Points

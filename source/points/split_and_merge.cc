@@ -321,4 +321,13 @@ namespace Riedel::Points
   MaterialPoints<2>::are_near(const double *,
                               const double *,
                               const double) const;
+  template void
+  MaterialPoints<3>::split(const std::vector<Halving> &,
+                           const Grid::Frame<3> &);
+  template void
+  MaterialPoints<3>::merge(const std::vector<Pair> &, const Grid::Frame<3> &);
+  template bool
+  MaterialPoints<3>::are_near(const double *,
+                              const double *,
+                              const double) const;
 } // namespace Riedel::Points

@@ -209,4 +209,5 @@ namespace Riedel::Points
 
 
   template class StrainOperator<2>;
+  template class StrainOperator<3>;
 } // namespace Riedel::Points

@@ -23,4 +23,5 @@ namespace Riedel::Points
 
 
   template class SupportBuilder<2>;
+  template class SupportBuilder<3>;
 } // namespace Riedel::Points

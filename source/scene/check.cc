@@ -153,7 +153,12 @@ namespace Riedel::Scene
                        "There is no material \"" + test.material +
                          "\"; the one of this file is \"" + materials[0].name +
                          "\".");
-      test.check_law(*materials[0].law, problems);
+      if constexpr (dim == 2)
+        test.check_law(*materials[0].law, problems);
+      else
+        problems.error("Simulation type",
+                       "Element tests are for the laws of plane strain: set "
+                       "Dimension = 2.");
       materials[0].law->check_initial(initial_state(test.vertical_pressure,
                                                     test.K0,
                                                     test.void_ratio),
@@ -335,4 +340,6 @@ namespace Riedel::Scene
 
   template void
   Scene<2>::check(Problems &) const;
+  template void
+  Scene<3>::check(Problems &) const;
 } // namespace Riedel::Scene

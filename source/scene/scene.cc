@@ -168,10 +168,11 @@ namespace Riedel::Scene
         }
     }
 
+    template <int dim>
     void
     check_laws(const Names &names, Report &report, std::set<std::string> &wrong)
     {
-      const auto laws = Material::known_laws();
+      const auto laws = Material::known_laws<dim>();
       for (const auto &[name, law] : names.materials)
         {
           const std::string path = materials_section + "/" + name;
@@ -194,7 +195,7 @@ namespace Riedel::Scene
     declare_with_laws(dealii::ParameterHandler &prm, const Names &names)
     {
       Scene<dim>::declare(prm, names);
-      const auto laws = Material::known_laws();
+      const auto laws = Material::known_laws<dim>();
       for (const auto &[name, law] : names.materials)
         if (std::find(laws.begin(), laws.end(), law) != laws.end())
           {
@@ -347,7 +348,7 @@ namespace Riedel::Scene
     // would only be a consequence.
     std::set<std::string> wrong;
     check_overridden_names(input, report, wrong);
-    check_laws(names, report, wrong);
+    check_laws<dim>(names, report, wrong);
 
     dealii::ParameterHandler prm;
     declare_with_laws<dim>(prm, names);
@@ -393,7 +394,7 @@ namespace Riedel::Scene
   all_parameters()
   {
     Names names;
-    for (const std::string &law : Material::known_laws())
+    for (const std::string &law : Material::known_laws<2>())
       names.materials.emplace_back(law, law);
     names.zones      = {"weak spot"};
     names.regions    = {"corner"};
@@ -410,4 +411,7 @@ namespace Riedel::Scene
   template struct Scene<2>;
   template Scene<2>
   read_scene<2>(const std::string &, const std::vector<std::string> &);
+  template struct Scene<3>;
+  template Scene<3>
+  read_scene<3>(const std::string &, const std::vector<std::string> &);
 } // namespace Riedel::Scene

@@ -83,7 +83,7 @@ main()
               "tangent [us]",
               "substeps",
               "yielding");
-  for (const std::string &name : Riedel::Material::known_laws())
+  for (const std::string &name : Riedel::Material::known_laws<2>())
     for (const bool continued : {false, true})
       for (const double size : {1e-4, 3e-4, 1e-3})
         {

@@ -113,7 +113,7 @@ TEST_CASE("an unknown law declares only what every material has",
   CHECK_THROWS(prm.set("Granular hardness", "1"));
   // the pattern names the known laws
   CHECK_THROWS(prm.set("Law", "plar hypoplastic"));
-  for (const std::string &law : Material::known_laws())
+  for (const std::string &law : Material::known_laws<2>())
     CHECK_NOTHROW(prm.set("Law", law));
   prm.leave_subsection();
   prm.leave_subsection();

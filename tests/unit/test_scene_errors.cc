@@ -167,7 +167,7 @@ TEST_CASE("what is printed can be read again and means the same", "[unit]")
 
   const auto        all      = Scene::all_parameters();
   const std::string markdown = Scene::print(all, Scene::Format::markdown);
-  for (const std::string &law : Riedel::Material::known_laws())
+  for (const std::string &law : Riedel::Material::known_laws<2>())
     CHECK_THAT(markdown, Contains("### Materials/" + law + "\n"));
   CHECK_THAT(markdown,
              Contains("| `Pressure acts on` | `current area` | one of "

@@ -46,7 +46,7 @@ TEST_CASE("layouts merge without repeating slots", "[unit][layout]")
 
 TEST_CASE("laws declare the slots that others read", "[unit][layout]")
 {
-  for (const std::string &name : Riedel::Material::known_laws())
+  for (const std::string &name : Riedel::Material::known_laws<2>())
     {
       INFO(name);
       const auto law = Riedel::Material::create_law<2>(name);

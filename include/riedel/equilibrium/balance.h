@@ -175,7 +175,7 @@ namespace Riedel::Equilibrium
     struct Reaction
     {
       dealii::Tensor<1, dim> force;
-      double                 moment = 0.0;
+      Continuum::Moment<dim> moment;
     };
 
     /// Of the boundaries with conditions, then of the plates.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/continuum/generalised.h>
+#include <riedel/continuum/moment.h>
 #include <riedel/equilibrium/parameters.h>
 #include <riedel/grid/body.h>
 #include <riedel/grid/space.h>
@@ -10,6 +11,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -65,9 +67,9 @@ namespace Riedel::Equilibrium
     /// What acts on this rank's part of a boundary, after add_surface_loads().
     struct Surface
     {
-      dealii::Tensor<1, dim> force; ///< resultant of the loads [N/m in 2D]
-      double moment = 0.0;          ///< of the loads about the origin [N in 2D]
-      dealii::Tensor<1, dim> normal_area; ///< present area times normal [m]
+      dealii::Tensor<1, dim> force;  ///< resultant of the loads [N/m in 2D]
+      Continuum::Moment<dim> moment; ///< of the loads, about the origin
+      dealii::Tensor<1, dim> normal_area;         ///< present area times normal
       dealii::Tensor<1, dim> initial_normal_area; ///< before the first step
     };
 
@@ -86,11 +88,13 @@ namespace Riedel::Equilibrium
       std::size_t        first_dof; ///< in #dofs
       dealii::Point<dim> position;  ///< undeformed [m]
       double             weight;    ///< of the quadrature
-      /// undeformed dX/dxi [m], running so that (t_2, -t_1) points outwards
-      dealii::Tensor<1, dim> tangent;
-      std::vector<double>    shape; ///< of displacement nodes
-      std::vector<double>    slope; ///< d shape / d xi
-      std::vector<double>    rotation_shape;
+      /// undeformed dX/dxi [m] along the coordinates of the face, running so
+      /// that their cross product points outwards
+      std::array<dealii::Tensor<1, dim>, dim - 1> tangent;
+      std::vector<double>                         shape; ///< of displacements
+      /// d shape / d xi
+      std::array<std::vector<double>, dim - 1> slope;
+      std::vector<double>                      rotation_shape;
     };
 
     void

@@ -91,9 +91,9 @@ namespace Riedel::Equilibrium
     struct Report
     {
       std::string            name;
-      dealii::Tensor<1, dim> displacement;     ///< since the start [m]
-      dealii::Tensor<1, dim> force;            ///< on the body [N/m in 2D]
-      double                 moment     = 0.0; ///< about the origin [N in 2D]
+      dealii::Tensor<1, dim> displacement; ///< since the start [m]
+      dealii::Tensor<1, dim> force;        ///< on the body [N/m in 2D]
+      Continuum::Moment<dim> moment;       ///< about the origin [N in 2D]
       unsigned int           n_contacts = 0, n_sliding = 0; ///< points
     };
 

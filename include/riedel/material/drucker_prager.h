@@ -12,8 +12,8 @@ namespace Riedel::Material
    * Prager: `Drucker-Prager micropolar`, and `Drucker-Prager`, its classical
    * counterpart. Equations and sources: doc/theory/elastoplasticity.md.
    */
-  template <bool micropolar>
-  class DruckerPrager : public FiniteStrainLaw<micropolar, true>
+  template <int dim, bool micropolar>
+  class DruckerPrager : public FiniteStrainLaw<dim, micropolar, true>
   {
   public:
     DruckerPrager();
@@ -43,8 +43,8 @@ namespace Riedel::Material
    * The special case without friction and dilatancy: `von Mises micropolar` and
    * `von Mises`.
    */
-  template <bool micropolar>
-  class VonMises : public FiniteStrainLaw<micropolar, true>
+  template <int dim, bool micropolar>
+  class VonMises : public FiniteStrainLaw<dim, micropolar, true>
   {
   public:
     VonMises();

@@ -10,10 +10,10 @@
 namespace Riedel::Material
 {
   /**
-   * What the finite-strain laws of neo-Hookean elasticity have in common, in
-   * plane strain: state, kinematics, return to the yield surface, batches
+   * What the finite-strain laws of neo-Hookean elasticity have in common:
+   * state, kinematics, return to the yield surface, batches
    * (doc/theory/elastoplasticity.md). Micropolar laws have 7 generalised
-   * components, classical ones 4.
+   * components in plane strain and 21 in space, classical ones 4 and 9.
    *
    * State: stress [Pa], couple_stress [N/m] (micropolar), elastic_strain
    * (V^e - I), elastic_curvature [1/m] (micropolar). Plastic laws have also
@@ -22,8 +22,8 @@ namespace Riedel::Material
    * yield_function [Pa]. The stress follows from the strains and curvatures,
    * which the law reads.
    */
-  template <bool micropolar, bool plastic>
-  class FiniteStrainLaw : public Law<2>
+  template <int dim, bool micropolar, bool plastic>
+  class FiniteStrainLaw : public Law<dim>
   {
   public:
     bool
@@ -35,7 +35,7 @@ namespace Riedel::Material
     bool
     can_stretch_axis_3() const override
     {
-      return true;
+      return dim == 2;
     }
 
     const StateLayout &
@@ -112,7 +112,7 @@ namespace Riedel::Material
                   Report       &report) const;
 
     /// The points from @p first on, as many as there are lanes: the elastic
-    /// ones at once, the others one by one.
+    /// ones at once, the others one by one. In space all one by one.
     void
     respond_group(const Batch       &batch,
                   const unsigned int first,
@@ -127,8 +127,8 @@ namespace Riedel::Material
   };
 
   /// `neo-Hookean micropolar` and the classical `neo-Hookean`: elasticity.
-  template <bool micropolar>
-  class NeoHookean : public FiniteStrainLaw<micropolar, false>
+  template <int dim, bool micropolar>
+  class NeoHookean : public FiniteStrainLaw<dim, micropolar, false>
   {
   public:
     std::string

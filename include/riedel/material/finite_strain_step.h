@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/continuum/generalised.h>
+#include <riedel/continuum/newton.h>
 #include <riedel/continuum/space_tensor.h>
 #include <riedel/material/neo_hookean_elasticity.h>
 
@@ -179,30 +180,51 @@ namespace Riedel::Material
       return turned;
     }
 
-    /// The rotation R - I that makes V R symmetric, as a constant; only in the
-    /// plane.
+    /// The rotation R - I that makes V R symmetric, as a constant; in space by
+    /// Newton's method for the polar decomposition, X <- (X + X^-T)/2 (Higham,
+    /// 1986), which converges for every invertible tensor.
     static Continuum::SpaceTensor<dim, Number>
     turn_to_symmetry(const Continuum::SpaceTensor<dim, Number> &moved)
     {
-      static_assert(dim == 2, "a classical continuum in space has no rule yet");
       using std::sqrt;
-      const Value x = 2. + Continuum::value_of(moved(0, 0)) +
-                      Continuum::value_of(moved(1, 1));
-      const Value y =
-        Continuum::value_of(moved(1, 0)) - Continuum::value_of(moved(0, 1));
-      const Value length2 = x * x + y * y;
-      const Value length  = sqrt(length2);
-      const Value sine    = y / length;
-      const Value less =
-        Continuum::select(x > Value(0.),
-                          Value(-(y * y) / (length * (length + x))),
-                          Value((x - length) / length));
-      Continuum::SpaceTensor<dim, Number> turned;
-      turned(0, 0) = turned(1, 1) = Number(less);
-      turned(0, 1)                = Number(sine);
-      turned(1, 0)                = Number(-sine);
-      turned(2, 2)                = Number(0.);
-      return turned;
+      if constexpr (dim == 3)
+        {
+          Continuum::SpaceTensor<3, Value> X;
+          for (unsigned int i = 0; i < X.n; ++i)
+            X.components[i] = Continuum::value_of(moved.components[i]);
+          double change = 1.;
+          for (unsigned int k = 0; k < 50 && change > 1e-15; ++k)
+            {
+              auto difference = .5 * (Continuum::inverse_transposed(X) - X);
+              Continuum::add_to_diagonal(difference, -.5);
+              X      = X + difference;
+              change = Continuum::largest_value(difference.components);
+            }
+          Continuum::SpaceTensor<3, Number> turned;
+          for (unsigned int i = 0; i < X.n; ++i)
+            turned.components[i] = Number(X.components[X.transposed_place(i)]);
+          return turned;
+        }
+      else
+        {
+          const Value x = 2. + Continuum::value_of(moved(0, 0)) +
+                          Continuum::value_of(moved(1, 1));
+          const Value y =
+            Continuum::value_of(moved(1, 0)) - Continuum::value_of(moved(0, 1));
+          const Value length2 = x * x + y * y;
+          const Value length  = sqrt(length2);
+          const Value sine    = y / length;
+          const Value less =
+            Continuum::select(x > Value(0.),
+                              Value(-(y * y) / (length * (length + x))),
+                              Value((x - length) / length));
+          Continuum::SpaceTensor<dim, Number> turned;
+          turned(0, 0) = turned(1, 1) = Number(less);
+          turned(0, 1)                = Number(sine);
+          turned(1, 0)                = Number(-sine);
+          turned(2, 2)                = Number(0.);
+          return turned;
+        }
     }
 
     /// The tensor that crosses with @p axis.

@@ -186,7 +186,9 @@ namespace Riedel::Material
                   Problems           &problems) const = 0;
   };
 
-  /// Names of all known laws, as written in the .prm file.
+  /// Names of all laws that are known in @p dim dimensions, as written in the
+  /// .prm file.
+  template <int dim>
   std::vector<std::string>
   known_laws();
 

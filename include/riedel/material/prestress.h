@@ -16,10 +16,11 @@ namespace Riedel::Material
    *
    *     V^2 = I + (J sigma - lambda/2 (J^2 - 1) I)/mu    det V = J
    *
-   * Components 13 and 23 of the stress must be zero. Nothing if there is no
-   * such strain.
+   * In plane strain components 13 and 23 of the stress must be zero. Nothing if
+   * there is no such strain.
    */
-  std::optional<Continuum::SpaceTensor<2, double>>
+  template <int dim>
+  std::optional<Continuum::SpaceTensor<dim, double>>
   strain_of_stress(const NeoHookeanElasticity          &elasticity,
                    const dealii::SymmetricTensor<2, 3> &stress);
 } // namespace Riedel::Material
