@@ -153,8 +153,12 @@ namespace Riedel::Equilibrium
 
   template <int dim>
   void
-  Assembly<dim>::begin_step()
+  Assembly<dim>::begin_step(const double strain_33)
   {
+    if (strain_33 == 0.0)
+      axis_3_strains.clear();
+    else
+      axis_3_strains.assign(points->n_points(), strain_33);
     for (const auto &range : points->ranges())
       {
         const auto &law = *points->materials().materials[range.material].law;
@@ -250,6 +254,8 @@ namespace Riedel::Equilibrium
         batch.trial      = points->trial(first_point);
         batch.stresses   = &stresses[first_point * n];
         batch.tangents   = with_stiffness ? tangents.data() : nullptr;
+        if (!axis_3_strains.empty())
+          batch.axis_3_strains = &axis_3_strains[first_point];
         const auto start = std::chrono::steady_clock::now();
         add(report, law.respond(batch), first_point);
         const double seconds = seconds_since(start);

@@ -180,7 +180,8 @@ namespace Riedel::Equilibrium
                            const double               release)
   {
     start = u;
-    assembly.begin_step();
+    assembly.begin_step(loading->strain_33_at(to) -
+                        loading->strain_33_at(from));
     held.clear();
     const auto set_load = [&](const double s) {
       load = s;

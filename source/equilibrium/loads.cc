@@ -178,6 +178,8 @@ namespace Riedel::Equilibrium
                               std::vector<double>               &forces) const
   {
     constexpr unsigned int up = dim - 1;
+    // mass and volume are those per metre of the initial thickness
+    const double per_thickness = std::exp(-loading->strain_33_at(s));
     for (const auto &patch : supports.patches)
       for (unsigned int q = 0; q < patch.n_points; ++q)
         {
@@ -191,6 +193,7 @@ namespace Riedel::Equilibrium
           for (unsigned int d = 0; d < dim; ++d)
             if (loading->body_force[d].given())
               force[d] += V0 * loading->body_force[d](X, s);
+          force *= per_thickness;
 
           const double *weight =
             supports.weight.data() + patch.first_weight + q * patch.n_nodes;
@@ -203,8 +206,9 @@ namespace Riedel::Equilibrium
             for (unsigned int k = 0; k < n_spin; ++k)
               if (loading->body_couple[k].given())
                 {
-                  const double  couple = V0 * loading->body_couple[k](X, s);
-                  const double *spin   = supports.spin_weight.data() +
+                  const double couple =
+                    per_thickness * V0 * loading->body_couple[k](X, s);
+                  const double *spin = supports.spin_weight.data() +
                                        patch.first_rotation_weight +
                                        q * patch.n_rotation_nodes;
                   for (unsigned int a = 0; a < patch.n_rotation_nodes; ++a)

@@ -282,6 +282,16 @@ namespace Riedel::Equilibrium
                       "Every step is the first one: no growth, no cut. Only "
                       "marks (Output/Fields every, s = 0, Stop) shorten a "
                       "step.");
+    if (dim == 2)
+      prm.declare_entry("Strain 33",
+                        "",
+                        FormPattern("a number or a formula in s"),
+                        "Logarithmic strain across the plane since the start, "
+                        "extension positive, the same in the whole body "
+                        "(generalised plane strain); plane strain if not "
+                        "given. Forces per metre are then those per metre of "
+                        "the present thickness; for the configuration "
+                        "initial.");
     for (unsigned int d = 0; d < dim; ++d)
       declare_formula<dim>(
         prm,
@@ -308,6 +318,8 @@ namespace Riedel::Equilibrium
     smallest_step = prm.get_double("Smallest step");
     stop          = prm.get_double("Stop");
     fixed_steps   = prm.get_bool("Fixed steps");
+    if (dim == 2)
+      strain_33 = read_formula<dim>(prm, "Loading", "Strain 33");
     for (unsigned int d = 0; d < dim; ++d)
       body_force[d] =
         read_formula<dim>(prm, "Loading", component<dim>("Body force", d));
@@ -350,6 +362,22 @@ namespace Riedel::Equilibrium
                      "The initial step, " + text(initial_step) +
                        ", is smaller than the smallest, " +
                        text(smallest_step) + ".");
+    if (strain_33.given())
+      {
+        dealii::Point<dim> elsewhere;
+        for (unsigned int d = 0; d < dim; ++d)
+          elsewhere[d] = 0.3 + 0.4 * d;
+        if (strain_33_at(start) != 0.0)
+          problems.error("Loading/Strain 33",
+                         "It counts from the start and must be 0 there; at "
+                         "s = " +
+                           text(start) + " it is " + text(strain_33_at(start)) +
+                           ".");
+        if (strain_33(elsewhere, stop) != strain_33_at(stop))
+          problems.error("Loading/Strain 33",
+                         "It is the same in the whole body: a formula in s "
+                         "without coordinates.");
+      }
     for (unsigned int d = 0; d < BoundaryParameters<dim>::n_spin; ++d)
       if (!micropolar && body_couple[d].given())
         problems.error("Loading/" + spin<dim>("Body couple", d),

@@ -251,6 +251,27 @@ namespace Riedel::Scene
 
 
 
+    /// A strain across the plane needs laws that know of it, and points whose
+    /// boxes stay in the plane.
+    template <int dim>
+    void
+    check_strain_33(const Scene<dim> &scene, Problems &problems)
+    {
+      if (!scene.loading.strain_33.given())
+        return;
+      if (scene.grid.configuration != Grid::ReferenceConfiguration::initial)
+        problems.error("Loading/Strain 33",
+                       "It is for finite elements: \"set Reference "
+                       "configuration = initial\" in section Grid.");
+      for (const auto &material : scene.materials.materials)
+        if (!material.law->can_stretch_axis_3())
+          problems.error("Loading/Strain 33",
+                         "The law \"" + material.law->name() + "\" of \"" +
+                           material.name + "\" is for plane strain only.");
+    }
+
+
+
     template <int dim>
     void
     check_periodic(const Scene<dim> &scene, Problems &problems)
@@ -290,6 +311,7 @@ namespace Riedel::Scene
     initial_state.check(problems);
     boundary_conditions.check(geometry.names(), micropolar, problems);
     loading.check(micropolar, problems);
+    check_strain_33(*this, problems);
     solver.check(problems);
     output.check(problems);
     adaptation.check(micropolar,

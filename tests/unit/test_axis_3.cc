@@ -4,7 +4,7 @@
 
 #include "law_tools.h"
 
-// Laws under a strain of axis 3, which element tests have.
+// Laws under a strain of axis 3: element tests, Loading/Strain 33.
 
 using namespace Riedel;
 using LawTools::Answer;
@@ -17,18 +17,21 @@ namespace
   respond(const Material::Law<2>    &law,
           const std::vector<double> &state,
           const std::vector<double> &increments,
-          const double               axis_3_strain)
+          const double               axis_3_strain,
+          const bool                 with_tangent = false)
   {
     const unsigned int n = law.n_generalised();
     Answer             answer;
     answer.state.resize(law.layout().size());
     answer.stresses.resize(n);
+    if (with_tangent)
+      answer.tangent.resize(n * n);
     answer.report = law.respond({1,
                                  increments.data(),
                                  state.data(),
                                  answer.state.data(),
                                  answer.stresses.data(),
-                                 nullptr,
+                                 with_tangent ? answer.tangent.data() : nullptr,
                                  &axis_3_strain});
     return answer;
   }
@@ -180,5 +183,55 @@ TEST_CASE("a strain of axis 3 that is not a number is refused",
                                   std::numeric_limits<double>::infinity()})
         CHECK(respond(*law, start, stretch(*law, -1e-4, 0.), strain)
                 .report.refused == 1);
+    }
+}
+
+
+
+TEST_CASE("the tangent under a strain of axis 3 against central differences",
+          "[unit][axis_3]")
+{
+  for (const std::string &name : Material::known_laws<2>())
+    {
+      const auto law = make_law(name);
+      if (!law->can_stretch_axis_3())
+        continue;
+      INFO(name);
+      const bool   is_sand     = name.find("hypoplastic") != std::string::npos;
+      const double size        = is_sand ? 100e3 : 10.;
+      const unsigned int n     = law->n_generalised();
+      const auto         start = make_state(
+        *law, {-size, -1.5 * size, -1.2 * size, .2 * size, .2 * size}, {}, .65);
+      const double strain = -6e-4;
+      auto         d      = stretch(*law, -4e-4, 3e-4);
+      d[1]                = 5e-4;
+      d[2]                = 2e-4;
+      if (law->is_micropolar())
+        {
+          d[4] = -1e-4;
+          d[5] = .1;
+          d[6] = -.2;
+        }
+      const Answer answer = respond(*law, start, d, strain, true);
+      const Answer value  = respond(*law, start, d, strain);
+      REQUIRE(answer.report.refused == 0);
+      const double scale = law->stiffness(start.data());
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          CHECK(answer.stresses[b] ==
+                Approx(value.stresses[b]).epsilon(1e-10).margin(1e-10 * size));
+          // curvatures are 1/m: of the size of a strain over the law's length
+          const double h    = b < 5 ? 1e-7 : 1e-4;
+          auto         plus = d, minus = d;
+          plus[b] += h;
+          minus[b] -= h;
+          const auto up   = respond(*law, start, plus, strain);
+          const auto down = respond(*law, start, minus, strain);
+          for (unsigned int a = 0; a < n; ++a)
+            CHECK(answer.tangent[a * n + b] ==
+                  Approx((up.stresses[a] - down.stresses[a]) / (2. * h))
+                    .epsilon(2e-5)
+                    .margin(2e-5 * scale));
+        }
     }
 }

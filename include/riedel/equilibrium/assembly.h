@@ -42,9 +42,10 @@ namespace Riedel::Equilibrium
     void
     resize();
 
-    /// The stresses at the start of the step, for the energy balance.
+    /// Fixes the stresses at the start of the step, for the energy balance, and
+    /// the logarithmic strain across the plane in it.
     void
-    begin_step();
+    begin_step(const double strain_33);
 
     /// Adds the nodal forces of the stresses at increment @p du (relevant dofs
     /// by local number) to @p forces, those of the virtual stress to @p
@@ -127,6 +128,8 @@ namespace Riedel::Equilibrium
     std::vector<double> stresses_before;
     std::vector<double> stresses;
     std::vector<double> tangents; ///< of one chunk of points
+    /// per point, in the step; empty in plane strain
+    std::vector<double> axis_3_strains;
     Cost                law_cost;
   };
 } // namespace Riedel::Equilibrium

@@ -90,6 +90,10 @@ namespace Riedel::Equilibrium
     /// steps never change: no growth, no cut
     bool fixed_steps = false;
 
+    /// In plane strain: logarithmic strain across the plane since the start, a
+    /// formula in s alone. Not given: zero.
+    Expression<dim> strain_33;
+
     /// body force per initial volume [N/m3] besides the weight of Initial state
     std::array<Expression<dim>, dim> body_force;
     /// couple per initial volume [N/m2]
@@ -102,6 +106,13 @@ namespace Riedel::Equilibrium
     parse(dealii::ParameterHandler &prm);
     void
     check(const bool micropolar, Problems &problems) const;
+
+    /// #strain_33 at a load parameter
+    double
+    strain_33_at(const double s) const
+    {
+      return strain_33.given() ? strain_33(dealii::Point<dim>(), s) : 0.0;
+    }
   };
 
   enum class SchemeName

@@ -55,7 +55,7 @@ namespace Riedel::Material
     /// f does not turn the point inside out; for Lanes also: theta is small
     Continuum::ConditionOf<Number> valid;
 
-    /// @param axis_3_strain logarithmic strain of axis 3, only in element tests
+    /// @param axis_3_strain logarithmic strain of axis 3, zero in plane strain
     FiniteStrainStep(const std::array<Number, n> &increments,
                      const Start                 &start,
                      const double                 axis_3_strain = 0.)

@@ -14,9 +14,8 @@ namespace Riedel::Material
    *     eps = ln(b)/2     tau = lambda tr(eps) I + 2 mu eps
    *     sigma = tau / J   J = exp(tr eps)
    *
-   * in three dimensions; eps_33 keeps its initial value except in element tests
-   * that stretch axis 3. A step with f = I + H
-   * makes f b f^T of b. The stress is a function of the deformation alone, not
+   * in three dimensions; eps_33 keeps its initial value unless axis 3 is
+   * stretched. A step with f = I + H makes f b f^T of b. The stress is a function of the deformation alone, not
    * of its path, and the tangent is symmetric. Equations and source:
    * doc/theory/hencky.md.
    *

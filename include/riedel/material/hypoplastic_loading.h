@@ -23,7 +23,7 @@ namespace Riedel::Material
 
   /// What drives a point through a step: d^c dt and k d_50 dt in the fixed
   /// frame, and the spin by which the rotating frame turns.
-  /// @tparam axis_3 is d_33 given, as in element tests? Otherwise it is zero.
+  /// @tparam axis_3 is d_33 given? Otherwise it is zero.
   template <bool micropolar, typename Number, bool axis_3 = false>
   struct HypoplasticLoading
   {

@@ -195,7 +195,7 @@ namespace Riedel::Material
   using HypoplasticStress = std::array<Number, micropolar ? 7 : 5>;
 
   /// d^c_11, d^c_22, d^c_12, d^c_21 and, if micropolar, k_1 d_50, k_2 d_50; the
-  /// last one is d_33 if axis 3 is stretched, which element tests do.
+  /// last one is d_33 if axis 3 is stretched.
   template <bool micropolar, typename Number, bool axis_3 = false>
   using HypoplasticStretching =
     std::array<Number, (micropolar ? 6 : 4) + (axis_3 ? 1 : 0)>;

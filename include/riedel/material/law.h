@@ -33,10 +33,9 @@ namespace Riedel::Material
     /// null if only the stresses are wanted
     double *tangents;
     /// n_points logarithmic strains of axis 3 in the step, extension positive;
-    /// null: plane strain. For element tests only, the fields of a body in
-    /// plane strain have none, and for laws that say Law::can_stretch_axis_3().
-    /// State and void ratio follow it; stresses stay those of the plane, where
-    /// j is det f in the plane. Tangents are not asked for together with it.
+    /// null: plane strain. For laws that say Law::can_stretch_axis_3(). State
+    /// and void ratio follow it; stresses stay those of the plane, where j is
+    /// det f in the plane, and so do the tangents.
     const double *axis_3_strains = nullptr;
   };
 

@@ -19,8 +19,8 @@ namespace Riedel::Material
    * and all gradients refer to the undeformed body. Finite rotation: the same
    * relation between objective rates, with L dt = log f constant over the
    * step, integrated exactly in the frame that rotates with the spin. The
-   * classical law has no skew part and no couple stress. In element tests axis
-   * 3 may be stretched: tr(eps) and sigma_33 have this strain, too.
+   * classical law has no skew part and no couple stress. Where axis 3
+   * is stretched, tr(eps) and sigma_33 have this strain, too.
    *
    * State: stress [Pa], couple_stress [N/m] (micropolar only).
    */

@@ -16,8 +16,8 @@ namespace Riedel::Material
    * on patterning of shear zones in granular bodies", and its classical limit
    * `hypoplastic` (4 components, symmetric stretching, no couple stress).
    * Equations, limits and counted states:
-   * doc/theory/polar_hypoplasticity.md. Element tests may stretch axis 3, too:
-   * d_33 then enters like d^c_11 and d^c_22.
+   * doc/theory/polar_hypoplasticity.md. Axis 3 may be stretched, too
+   * (Batch::axis_3_strains): d_33 then enters like d^c_11 and d^c_22.
    *
    * A step is integrated with a constant velocity gradient, L dt = log f, in
    * the frame that rotates with the continuum's spin, so that a rigid rotation
@@ -120,6 +120,10 @@ namespace Riedel::Material
                   double                 *stresses,
                   double                 *tangent,
                   HypoplasticPointReport &report) const;
+
+    /// respond() with Batch::axis_3_strains
+    Report
+    respond_across_plane(const Batch &batch) const;
 
     /// The stresses of the points from @p first on, as many as there are
     /// lanes: those in the usual case at once, the others one by one.
