@@ -13,6 +13,26 @@
 
 namespace
 {
+  template <int dim>
+  int
+  run_case(const Riedel::Scene::CommandLine &command, std::ostream &out)
+  {
+    using namespace Riedel;
+    const auto scene =
+      Scene::read_scene<dim>(command.case_file, command.overrides);
+    if (!command.validate && !command.print_parameters)
+      return Riedel::run<dim>(scene, command);
+    for (const std::string &warning : scene.warnings)
+      out << "Warning: " << warning << std::endl;
+    if (command.validate)
+      out << command.case_file << " is valid." << std::endl;
+    else
+      out << print(scene.parameters, *command.print_parameters);
+    return 0;
+  }
+
+
+
   int
   run(const int argc, char **argv, const bool speaks)
   {
@@ -26,16 +46,10 @@ namespace
       out << print(Scene::all_parameters(), *command.print_parameters);
     else
       {
-        const auto scene =
-          Scene::read_scene<2>(command.case_file, command.overrides);
-        if (!command.validate && !command.print_parameters)
-          return Riedel::run<2>(scene, command);
-        for (const std::string &warning : scene.warnings)
-          out << "Warning: " << warning << std::endl;
-        if (command.validate)
-          out << command.case_file << " is valid." << std::endl;
-        else
-          out << print(scene.parameters, *command.print_parameters);
+        const auto file = command.case_file;
+        if (Scene::dimension_of(file, command.overrides) == 3)
+          return run_case<3>(command, out);
+        return run_case<2>(command, out);
       }
     return 0;
   }

@@ -195,7 +195,7 @@ namespace Riedel
         "forces " +
         Output::number(outcome.residual.force / outcome.residual.reference) +
         " of the reactions. The first step brings it into balance.");
-    log.line(Output::step_header(watch.description()));
+    log.line(Output::step_header(watch.description(), dim));
     record_step();
     write_fields();
   }
@@ -317,7 +317,8 @@ namespace Riedel
              std::to_string(grid_record.unknowns) +
              " unknowns; out of balance " +
              Output::number(grid_record.imbalance) + ", jump of P1 " +
-             Output::number(1e-3 * grid_record.force_jump) + " kN/m.");
+             Output::number(1e-3 * grid_record.force_jump) +
+             (dim == 2 ? " kN/m." : " kN."));
   }
 
 

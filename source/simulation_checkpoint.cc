@@ -85,6 +85,7 @@ namespace Riedel
         earlier = total;
       earlier.sweeps         = total.sweeps;
       earlier.factorisations = total.factorisations;
+      earlier.linear         = total.linear;
       checkpoints.read_bodies(name, bodies());
     }
     prepare();
@@ -124,7 +125,7 @@ namespace Riedel
     if (is_complete())
       log.line("Loading/Stop = " + Output::number(scene.loading.stop) +
                " has been reached: a larger one lets the run go on.");
-    log.line(Output::step_header(watch.description()));
+    log.line(Output::step_header(watch.description(), dim));
   }
 
 

@@ -236,6 +236,7 @@ namespace Riedel
     const Spent total     = spent();
     record.sweeps         = total.sweeps;
     record.factorisations = total.factorisations;
+    record.linear         = total.linear;
     record.n_bands        = bands.bands.size();
     record.cpu_seconds    = total.cpu;
     if (adaptivity.is_on())
@@ -256,6 +257,7 @@ namespace Riedel
     total.wall = wall_seconds();
     total.sweeps += balance->n_sweeps;
     total.factorisations += balance->n_factorisations;
+    total.linear += balance->linear_counts();
     return total;
   }
 

@@ -33,19 +33,20 @@ class Run:
 
     def points(self, number=-1):
         """The columns of one points-NNNN.h5, the last one by default, sorted
-        by the points' places; with the initial place as X, Y."""
+        by the points' places; with the initial place as X, Y and in space Z."""
         import h5py
         files = sorted(self.folder.glob("points-*.h5"))
         with h5py.File(files[number]) as file:
             table = {name: file[name][()].tolist() for name in file}
             load = float(file.attrs["load"])
-        table["X"] = [x - u for x, u in zip(table["position_1"],
-                                            table["displacement_1"])]
-        table["Y"] = [x - u for x, u in zip(table["position_2"],
-                                            table["displacement_2"])]
+        axes = [axis for axis in "XYZ" if
+                f"position_{'XYZ'.index(axis) + 1}" in table]
+        for number, axis in enumerate(axes, 1):
+            table[axis] = [x - u for x, u in
+                           zip(table[f"position_{number}"],
+                               table[f"displacement_{number}"])]
         order = sorted(range(len(table["X"])),
-                       key=lambda p: (round(table["X"][p], 9),
-                                      round(table["Y"][p], 9)))
+                       key=lambda p: [round(table[axis][p], 9) for axis in axes])
         table = {name: [column[p] for p in order]
                  for name, column in table.items()}
         table["load"] = load

@@ -111,12 +111,13 @@ namespace Riedel
     {
       double        cpu = 0.0, wall = 0.0; ///< seconds; cpu of all ranks
       std::uint64_t sweeps = 0, factorisations = 0;
+      Equilibrium::LinearCounts linear;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &cpu &wall &sweeps &factorisations;
+        archive &cpu &wall &sweeps &factorisations &linear;
       }
     };
 

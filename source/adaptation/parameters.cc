@@ -45,10 +45,11 @@ namespace Riedel::Adaptation
                      criterion_names.size()),
       "A cell where one of these holds is refined. Empty: the grid stays as it "
       "is.");
-    prm.declare_entry("Levels",
-                      "1",
-                      Patterns::Integer(0, 8),
-                      "How often a cell of the grid may be divided into four.");
+    prm.declare_entry(
+      "Levels",
+      "1",
+      Patterns::Integer(0, 8),
+      "How often a cell of the grid may be halved along each axis.");
     prm.declare_entry("Cell size",
                       "2.5",
                       Patterns::Double(0),
@@ -64,12 +65,13 @@ namespace Riedel::Adaptation
                       Patterns::Integer(0, 10),
                       "Layers of cells that are refined around those where a "
                       "criterion holds.");
-    prm.declare_entry("Coarsen below",
-                      "0",
-                      Patterns::Double(0, 1),
-                      "Four cells become one again when no criterion reaches "
-                      "this share of its threshold in or next to them; 0: "
-                      "never.");
+    prm.declare_entry(
+      "Coarsen below",
+      "0",
+      Patterns::Double(0, 1),
+      "The cells that were one become one again when no criterion reaches "
+      "this share of its threshold in or next to them; 0: "
+      "never.");
     prm.declare_entry("Coarsen every steps",
                       "20",
                       Patterns::Integer(1),

@@ -164,9 +164,10 @@ namespace Riedel::Equilibrium
       if (conditions.homogeneous().is_constrained(dof))
         pattern.add(dof, dof);
     pattern.compress();
+    earlier_linear_counts = linear_counts();
     solver.reset();
     matrix.reinit(pattern);
-    solver     = DirectSolver::create(parameters->solver, matrix);
+    make_solver();
     has_matrix = true;
   }
 

@@ -28,7 +28,7 @@ namespace Riedel::Equilibrium
 
 
     /// MUMPS through Amesos: in parallel, symbolic phase separate.
-    class Mumps : public DirectSolver
+    class Mumps : public LinearSolver
     {
     public:
       explicit Mumps(const LinearAlgebra::SparseMatrix &matrix)
@@ -106,7 +106,7 @@ namespace Riedel::Equilibrium
 
     /// UMFPACK through its C interface, for one rank. Epetra's compressed rows
     /// are the compressed columns of the transpose.
-    class Umfpack : public DirectSolver
+    class Umfpack : public LinearSolver
     {
     public:
       explicit Umfpack(const LinearAlgebra::SparseMatrix &matrix)
@@ -179,9 +179,9 @@ namespace Riedel::Equilibrium
 
 
 
-  std::unique_ptr<DirectSolver>
-  DirectSolver::create(const DirectSolverName             name,
-                       const LinearAlgebra::SparseMatrix &matrix)
+  std::unique_ptr<LinearSolver>
+  make_direct_solver(const DirectSolverName             name,
+                     const LinearAlgebra::SparseMatrix &matrix)
   {
     if (name == DirectSolverName::umfpack)
       return std::make_unique<Umfpack>(matrix);

@@ -404,6 +404,23 @@ namespace Riedel::Equilibrium
                       "First guess of a step: a parabola through the last "
                       "steps, or the previous increment, scaled; automatic is "
                       "quadratic for accelerated, previous for newton.");
+    prm.declare_entry("Linear solver",
+                      "automatic",
+                      Patterns::Selection("automatic|direct|iterative"),
+                      "What solves the linear systems: factors (Direct "
+                      "solver), or GMRES with algebraic multigrid, for equal "
+                      "degrees of displacement and rotation. Automatic is "
+                      "iterative in space above 5000 unknowns.");
+    prm.declare_entry("Linear residual",
+                      "1e-3",
+                      Patterns::Double(0, 1),
+                      "To this share of its first value the iterative solver "
+                      "reduces the residual of a linear system.");
+    prm.declare_entry("Most linear iterations",
+                      "300",
+                      Patterns::Integer(1),
+                      "The iterative solver leaves a system after so many "
+                      "iterations as it is.");
     prm.declare_entry("Direct solver",
                       "mumps",
                       Patterns::Selection("mumps|umfpack"),
@@ -455,12 +472,18 @@ namespace Riedel::Equilibrium
                                                      Predictor::automatic;
     solver = prm.get("Direct solver") == "umfpack" ? DirectSolverName::umfpack :
                                                      DirectSolverName::mumps;
-    residual          = prm.get_double("Residual");
-    most_iterations   = prm.get_integer("Most iterations");
-    target_iterations = prm.get_integer("Target iterations");
-    refactor_after    = prm.get_integer("Refactor after");
-    patience          = prm.get_double("Patience");
-    secant_pairs      = prm.get_integer("Secant pairs");
+    const std::string linear = prm.get("Linear solver");
+    linear_solver            = linear == "direct" ? LinearSolverName::direct :
+                               linear == "iterative" ? LinearSolverName::iterative :
+                                                       LinearSolverName::automatic;
+    linear_residual          = prm.get_double("Linear residual");
+    most_linear_iterations   = prm.get_integer("Most linear iterations");
+    residual                 = prm.get_double("Residual");
+    most_iterations          = prm.get_integer("Most iterations");
+    target_iterations        = prm.get_integer("Target iterations");
+    refactor_after           = prm.get_integer("Refactor after");
+    patience                 = prm.get_double("Patience");
+    secant_pairs             = prm.get_integer("Secant pairs");
     prm.leave_subsection();
   }
 
@@ -475,6 +498,8 @@ namespace Riedel::Equilibrium
       problems.warning("Solver/Residual",
                        "With a residual above 1e-3 the forces are hardly in "
                        "equilibrium.");
+    if (!(linear_residual > 0.0))
+      problems.error("Solver/Linear residual", "It must be larger than 0.");
     if (target_iterations > most_iterations)
       problems.error("Solver/Target iterations",
                      "The target, " + std::to_string(target_iterations) +

@@ -23,8 +23,9 @@ namespace Riedel::Grid
       "Box",
       "",
       Patterns::List(Patterns::Double(0), 0, 3),
-      "Edge lengths of a rectangular body, \"width, height\" [m]. Its "
-      "boundaries are called left, right, bottom and top.");
+      "Edge lengths of a rectangular body, \"width, height\" or \"width, "
+      "depth, height\" [m]. Its boundaries are called left, right, (front, "
+      "back,) bottom and top.");
     prm.declare_entry("Origin",
                       "",
                       Patterns::List(Patterns::Double(), 0, 3),
@@ -178,12 +179,11 @@ namespace Riedel::Grid
     prm.declare_entry("Cells",
                       "",
                       Patterns::List(Patterns::Integer(1), 0, 3),
-                      "Number of cells of the box along each axis: "
-                      "\"horizontal, vertical\".");
+                      "Number of cells of the box along each axis.");
     prm.declare_entry("Refinements",
                       "0",
                       Patterns::Integer(0, 12),
-                      "How often every cell is divided into four.");
+                      "How often every cell is halved along each axis.");
     prm.declare_entry("Reference configuration",
                       "initial",
                       Patterns::Selection("initial|current"),
@@ -195,11 +195,12 @@ namespace Riedel::Grid
                       "",
                       Patterns::List(Patterns::Integer(0, 100000), 0, 6),
                       "Cells of the grid beyond the body, into which it can "
-                      "move: \"left, right, bottom, top\"; for the "
-                      "configuration current.");
+                      "move: \"left, right, (front, back,) bottom, top\"; "
+                      "for the configuration current.");
     prm.declare_entry("Periodic",
                       "no",
-                      Patterns::Selection("no|left and right|bottom and top"),
+                      Patterns::Selection("no|left and right|front and "
+                                          "back|bottom and top"),
                       "Two sides of a box that are tied: displacements and "
                       "rotations are the same at opposite places, as if the "
                       "body repeated itself without end; for the configuration "
@@ -208,7 +209,7 @@ namespace Riedel::Grid
                       "automatic",
                       Patterns::Selection("1|2|automatic"),
                       "Polynomial degree of the displacements; automatic is "
-                      "2, and 1 in the configuration current.");
+                      "2, and 1 in space and in the configuration current.");
     prm.declare_entry("Rotation degree",
                       "automatic",
                       Patterns::Selection("1|2|automatic"),
@@ -233,7 +234,7 @@ namespace Riedel::Grid
 
 
   void
-  Parameters::parse(ParameterHandler &prm)
+  Parameters::parse(ParameterHandler &prm, const unsigned int dim)
   {
     prm.enter_subsection("Grid");
     cells.clear();
@@ -252,7 +253,13 @@ namespace Riedel::Grid
     const std::string periodic = prm.get("Periodic");
     periodic_axis.reset();
     if (periodic != "no")
-      periodic_axis = periodic == "left and right" ? 0 : 1;
+      periodic_axis = periodic == "left and right" ? 0 :
+                      periodic == "front and back" ? 1 :
+                                                     dim - 1;
+    if (periodic == "front and back" && dim == 2)
+      throw ParameterError("Grid/Periodic",
+                           "The body has no sides \"front\" and \"back\": "
+                           "they are for Dimension = 3.");
 
     const auto degree = [&prm](const std::string &name,
                                const unsigned int automatic) {
@@ -263,7 +270,8 @@ namespace Riedel::Grid
     };
     displacement_degree =
       degree("Displacement degree",
-             configuration == ReferenceConfiguration::current ? 1 : 2);
+             configuration == ReferenceConfiguration::current || dim == 3 ? 1 :
+                                                                            2);
     rotation_degree = degree("Rotation degree", displacement_degree);
 
     const std::string text = prm.get("Strain sampling");

@@ -72,11 +72,12 @@ namespace Riedel::Output
 
 
   std::string
-  step_header(const std::string &watched)
+  step_header(const std::string &watched, const unsigned int dim)
   {
     return (watched.empty() ? std::string() :
                               "P1 is the " + watched + " of the body.\n") +
-           "  step      load   P1 [kN/m]  its  forces  moments  floored  bands";
+           "  step      load   " + (dim == 2 ? "P1 [kN/m]" : "  P1 [kN]") +
+           "  its  forces  moments  floored  bands";
   }
 
 
@@ -177,6 +178,17 @@ namespace Riedel::Output
                    static_cast<unsigned long long>(record.sweeps),
                    static_cast<unsigned long long>(record.factorisations),
                    100.0 * energy_error(record));
+    if (record.linear.solutions > 0)
+      {
+        const auto n = static_cast<double>(record.linear.solutions);
+        text += format("%g linear systems by GMRES with multigrid: %.1f "
+                       "iterations on average, at most %g, %g systems left "
+                       "unfinished.\n",
+                       n,
+                       static_cast<double>(record.linear.iterations) / n,
+                       static_cast<double>(record.linear.most),
+                       static_cast<double>(record.linear.unfinished));
+      }
     text += "Laws: value " + law_speed(value_points, value_seconds) +
             ", with tangent " + law_speed(tangent_points, tangent_seconds) +
             ". Peak memory " + format("%.0f MB.\n\n", memory / 1e6);

@@ -350,8 +350,12 @@ namespace Riedel::Points
               row[points.place.displacement + d] += u;
             }
           if (patch.n_rotation_nodes > 0)
-            for (unsigned int k = 0; k < Supports<dim>::n_spin; ++k)
-              row[points.place.micro_rotation + k] += mean(dim + k);
+            {
+              std::array<double, Supports<dim>::n_spin> theta;
+              for (unsigned int k = 0; k < theta.size(); ++k)
+                theta[k] = mean(dim + k);
+              points.turn(p, theta);
+            }
           if (!follow_deformation)
             continue;
 

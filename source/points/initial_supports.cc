@@ -261,11 +261,13 @@ namespace Riedel::Points
   template <int dim>
   void
   InitialSupports<dim>::accept(const std::vector<double> &solution,
-                               const std::vector<double> & /*du*/,
+                               const std::vector<double> &du,
                                const std::vector<double> & /*increments*/,
                                MaterialPoints<dim> &points)
   {
     points.accept();
+    if constexpr (dim == 3)
+      turn(du, points);
     update(solution, points);
   }
 
@@ -283,6 +285,24 @@ namespace Riedel::Points
 
 
 
+  namespace
+  {
+    /// sum_a weight_a values[dofs_a]
+    double
+    interpolated(const unsigned int         n,
+                 const double              *weight,
+                 const unsigned int        *dofs,
+                 const std::vector<double> &values)
+    {
+      double sum = 0.0;
+      for (unsigned int a = 0; a < n; ++a)
+        sum += weight[a] * values[dofs[a]];
+      return sum;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   InitialSupports<dim>::interpolate(const std::vector<double> &solution,
@@ -291,29 +311,50 @@ namespace Riedel::Points
     for (const auto &patch : result.patches)
       for (unsigned int q = 0; q < patch.n_points; ++q)
         {
-          double             *row  = points.row(patch.first_point + q);
-          const unsigned int *dofs = result.dofs.data() + patch.first_dof;
+          double       *row = points.row(patch.first_point + q);
+          const double *weight =
+            own.weight.data() + patch.first_weight + q * patch.n_nodes;
           for (unsigned int d = 0; d < dim; ++d)
-            {
-              const double *weight =
-                own.weight.data() + patch.first_weight + q * patch.n_nodes;
-              double sum = 0.0;
-              for (unsigned int a = 0; a < patch.n_nodes; ++a)
-                sum += weight[a] * solution[dofs[d * patch.n_nodes + a]];
-              row[points.place.displacement + d] = sum;
-            }
-          if (patch.n_rotation_nodes > 0)
-            for (unsigned int k = 0; k < Supports<dim>::n_spin; ++k)
-              {
-                const unsigned int  nw    = patch.n_rotation_nodes;
-                const unsigned int *first = dofs + dim * patch.n_nodes + k * nw;
-                const double       *weight = own.rotation_weight.data() +
-                                       patch.first_rotation_weight + q * nw;
-                double sum = 0.0;
-                for (unsigned int a = 0; a < nw; ++a)
-                  sum += weight[a] * solution[first[a]];
-                row[points.place.micro_rotation + k] = sum;
-              }
+            row[points.place.displacement + d] =
+              interpolated(patch.n_nodes,
+                           weight,
+                           &result.dofs[patch.first_dof + d * patch.n_nodes],
+                           solution);
+          // in the plane rotations add up
+          if constexpr (dim == 2)
+            if (patch.n_rotation_nodes > 0)
+              row[points.place.micro_rotation] = interpolated(
+                patch.n_rotation_nodes,
+                own.rotation_weight.data() + patch.first_rotation_weight +
+                  q * patch.n_rotation_nodes,
+                &result.dofs[patch.first_dof + dim * patch.n_nodes],
+                solution);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  InitialSupports<dim>::turn(const std::vector<double> &du,
+                             MaterialPoints<dim>       &points) const
+  {
+    for (const auto &patch : result.patches)
+      for (unsigned int q = 0; q < patch.n_points; ++q)
+        {
+          const unsigned int n = patch.n_rotation_nodes;
+          if (n == 0)
+            continue;
+          const double *weight =
+            own.rotation_weight.data() + patch.first_rotation_weight + q * n;
+          std::array<double, Supports<dim>::n_spin> theta;
+          for (unsigned int k = 0; k < theta.size(); ++k)
+            theta[k] = interpolated(
+              n,
+              weight,
+              &result.dofs[patch.first_dof + dim * patch.n_nodes + k * n],
+              du);
+          points.turn(patch.first_point + q, theta);
         }
   }
 

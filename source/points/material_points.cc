@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/compat.h>
+#include <riedel/continuum/rotation.h>
 #include <riedel/points/initial_state.h>
 #include <riedel/points/material_points.h>
 
@@ -39,7 +40,9 @@ namespace Riedel::Points
       if (materials.is_micropolar())
         layout.add("micro_rotation",
                    "rad",
-                   "micro-rotation since the start",
+                   dim == 2 ? "micro-rotation since the start" :
+                              "rotation vector of the micro-rotation since the "
+                              "start",
                    dim == 2 ? std::vector<std::string>{""} : axes);
       if (has_box)
         {
@@ -379,6 +382,25 @@ namespace Riedel::Points
                             const Grid::Frame<dim>   &frame)
   {
     particle_at[point]->set_location(frame.to_grid(x));
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::turn(
+    const unsigned int                                             point,
+    const std::array<double, Continuum::Generalised<dim>::n_spin> &theta)
+  {
+    double *phi = row(point) + place.micro_rotation;
+    if constexpr (dim == 2)
+      *phi += theta[0];
+    else
+      {
+        const auto turned =
+          Continuum::turned_further({{phi[0], phi[1], phi[2]}}, theta);
+        std::copy(turned.begin(), turned.end(), phi);
+      }
   }
 
 

@@ -64,6 +64,8 @@ namespace Riedel::Scene
                          "The material lies outside the body.");
     }
 
+    /// The last axis points upwards.
+    template <int dim>
     Material::InitialState
     initial_state(const double vertical_pressure,
                   const double K0,
@@ -72,9 +74,9 @@ namespace Riedel::Scene
       Material::InitialState state;
       // no minus sign in front: it would make a zero a negative one
       const double vertical = 0.0 - vertical_pressure;
-      state.stress[0][0] = state.stress[2][2] = K0 * vertical;
-      state.stress[1][1]                      = vertical;
-      state.void_ratio                        = void_ratio;
+      for (unsigned int d = 0; d < 3; ++d)
+        state.stress[d][d] = (d == dim - 1 ? 1.0 : K0) * vertical;
+      state.void_ratio = void_ratio;
       return state;
     }
 
@@ -123,9 +125,10 @@ namespace Riedel::Scene
             for (const double void_ratio : void_ratios)
               {
                 material.law->check_initial(
-                  initial_state(initial.pressure_at_top + unit_weight * depth,
-                                initial.K0,
-                                void_ratio),
+                  initial_state<dim>(initial.pressure_at_top +
+                                       unit_weight * depth,
+                                     initial.K0,
+                                     void_ratio),
                   "Initial state",
                   problems);
               }
@@ -159,9 +162,9 @@ namespace Riedel::Scene
         problems.error("Simulation type",
                        "Element tests are for the laws of plane strain: set "
                        "Dimension = 2.");
-      materials[0].law->check_initial(initial_state(test.vertical_pressure,
-                                                    test.K0,
-                                                    test.void_ratio),
+      materials[0].law->check_initial(initial_state<dim>(test.vertical_pressure,
+                                                         test.K0,
+                                                         test.void_ratio),
                                       "Element test",
                                       problems);
     }
@@ -194,7 +197,12 @@ namespace Riedel::Scene
       const auto &plates = scene.plates.plates;
       if (plates.empty())
         return;
-      if (scene.grid.configuration != Grid::ReferenceConfiguration::current)
+      if (dim == 3)
+        problems.error("Plates",
+                       "Plates are for plane strain: set Dimension = 2, or "
+                       "move a boundary of the body instead.");
+      else if (scene.grid.configuration !=
+               Grid::ReferenceConfiguration::current)
         problems.error("Plates",
                        "Plates push material points: \"set Reference "
                        "configuration = current\" in section Grid.");
@@ -314,6 +322,12 @@ namespace Riedel::Scene
     check_strain_33(*this, problems);
     solver.check(problems);
     output.check(problems);
+    if (solver.linear_solver == Equilibrium::LinearSolverName::iterative &&
+        micropolar && grid.displacement_degree != grid.rotation_degree)
+      problems.error("Solver/Linear solver",
+                     "The iterative solver needs nodes with all unknowns: give "
+                     "displacement and rotation the same degree, or take "
+                     "\"direct\".");
     adaptation.check(micropolar,
                      std::any_of(materials.materials.begin(),
                                  materials.materials.end(),

@@ -213,7 +213,10 @@ namespace Riedel::Scene
       {"Boundary conditions",
        "One subsection per boundary, with the name of a boundary of the body. "
        "What is not given is free. Where two boundaries meet and both "
-       "prescribe a component, the one named first counts."},
+       "prescribe a component, the one named first counts. In space there are "
+       "also `Displacement 3` and `Traction 3`, and `Rotation 1` to `Rotation "
+       "3` in the place of `Rotation`, likewise for couples: what is prescribed "
+       "is the sum of the turns about the fixed axes."},
       {"Plates",
        "One subsection per rigid plate, with a name of your choice: a "
        "rectangular block that pushes the material points of the configuration "

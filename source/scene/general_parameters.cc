@@ -19,8 +19,9 @@ namespace Riedel::Scene
                       "One line about the case, for the log.");
     prm.declare_entry("Dimension",
                       "2",
-                      Patterns::Selection("2"),
-                      "2 is plane strain.");
+                      Patterns::Selection("2|3"),
+                      "2 is plane strain; 3 is space, with axis 3 upwards and "
+                      "the laws of finite strain.");
     prm.declare_entry(
       "Simulation type",
       "boundary value problem",

@@ -180,9 +180,15 @@ namespace Riedel::Scene
               std::find(laws.begin(), laws.end(), law) != laws.end())
             continue;
           wrong.insert(path);
+          const auto others = Material::known_laws<(dim == 2 ? 3 : 2)>();
+          const bool is_of_other_dimension =
+            std::find(others.begin(), others.end(), law) != others.end();
           report.add(path + "/Law",
                      (law.empty() ?
                         "The material needs a law: \"set Law = ...\"." :
+                      is_of_other_dimension ?
+                        "There is no law \"" + law +
+                          "\" with Dimension = " + std::to_string(dim) + "." :
                         "There is no law \"" + law + "\"." +
                           did_you_mean(law, laws)) +
                        "\nThe laws are: " + enumerate(laws) + ".");
@@ -316,7 +322,7 @@ namespace Riedel::Scene
   {
     general.parse(prm);
     geometry.parse(prm, dim);
-    grid.parse(prm);
+    grid.parse(prm, dim);
     materials.parse(prm, names.materials);
     moving_points.parse(prm);
     initial_state.parse(prm, names.zones);
@@ -332,6 +338,15 @@ namespace Riedel::Scene
     output.parse(prm);
     checkpoint.parse(prm);
     element_test.parse(prm);
+  }
+
+
+
+  unsigned int
+  dimension_of(const std::string              &file,
+               const std::vector<std::string> &overrides)
+  {
+    return InputFile(file, overrides).value("Dimension") == "3" ? 3 : 2;
   }
 
 

@@ -23,11 +23,12 @@ namespace LawTools
   using Settings = std::map<std::string, std::string>;
 
   /// A law with the constants of Karlsruhe sand, or a soft elastic body.
-  inline std::unique_ptr<Material::Law<2>>
+  template <int dim = 2>
+  std::unique_ptr<Material::Law<dim>>
   make_law(const std::string &name, const Settings &changes = {})
   {
-    std::unique_ptr<Material::Law<2>> law = Material::create_law<2>(name);
-    dealii::ParameterHandler          prm;
+    std::unique_ptr<Material::Law<dim>> law = Material::create_law<dim>(name);
+    dealii::ParameterHandler            prm;
     law->declare(prm);
     if (name.find("hypoplastic") != std::string::npos)
       {
@@ -81,8 +82,9 @@ namespace LawTools
     Material::Report    report;
   };
 
-  inline Answer
-  respond(const Material::Law<2>    &law,
+  template <int dim>
+  Answer
+  respond(const Material::Law<dim>  &law,
           const std::vector<double> &state,
           const std::vector<double> &increments,
           const bool                 with_tangent = false)

@@ -254,8 +254,8 @@ TEST_CASE("values that are not allowed", "[unit]")
              Contains(":38: ") && Contains("Allowed: a number >= 0."));
   CHECK_THAT(message(38, "  set Largest step = 0"),
              Contains(":38: ") && Contains("larger than 0"));
-  CHECK_THAT(message(1, "set Dimension = 3"),
-             Contains(":1: Dimension") && Contains("Allowed: only 2"));
+  CHECK_THAT(message(1, "set Dimension = 4"),
+             Contains(":1: Dimension") && Contains("Allowed: one of 2, 3"));
   CHECK_THAT(message(1, "set Results = runs/output/"),
              Contains(":1: Results") && Contains("\"output\""));
   CHECK_THAT(message(1, "set Results ="), Contains(":1: Results"));

@@ -206,6 +206,18 @@ namespace Riedel::Continuum
     return chain_rule(x, std::expm1(x.value), std::exp(x.value));
   }
 
+  /// Number of terms of a + a^2/2! + a^3/3! + ... after which the rest is below
+  /// the rounding error of the first; @p norm: that of a, or a bound of it
+  inline unsigned int
+  n_terms_of_exponential(const double norm)
+  {
+    unsigned int n    = 1;
+    double       rest = .5 * norm; // norm^n/(n + 1)!
+    for (; rest > 1e-17 && n < 40; rest *= norm / (n + 1))
+      ++n;
+    return n;
+  }
+
   /// exp(a) - I, exact for small @p a. In the plane by the closed form of 2 x 2
   /// tensors, whose deviator has a square that is a number; in space by the
   /// power series of a/2^s and s squarings.
@@ -260,7 +272,7 @@ namespace Riedel::Continuum
           ++squarings;
         const SpaceTensor<dim, Number> small = std::ldexp(1., -squarings) * a;
         x                                    = small;
-        for (unsigned int k = 12; k >= 2; --k)
+        for (unsigned int k = n_terms_of_exponential(3. * size); k >= 2; --k)
           x = small + (1. / k) * (small * x);
         for (int k = 0; k < squarings; ++k)
           x = 2. * x + x * x;

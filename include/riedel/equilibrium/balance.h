@@ -3,7 +3,7 @@
 
 #include <riedel/equilibrium/assembly.h>
 #include <riedel/equilibrium/boundary_conditions.h>
-#include <riedel/equilibrium/direct_solver.h>
+#include <riedel/equilibrium/linear_solver.h>
 #include <riedel/equilibrium/loads.h>
 #include <riedel/equilibrium/parameters.h>
 #include <riedel/equilibrium/plates.h>
@@ -203,6 +203,17 @@ namespace Riedel::Equilibrium
       n_sweeps         = before.n_sweeps;
       n_factorisations = before.n_factorisations;
       assembly.continue_cost(before.assembly.cost());
+      earlier_linear_counts = before.linear_counts();
+    }
+
+    /// Effort of an iterative linear solver.
+    LinearCounts
+    linear_counts() const
+    {
+      LinearCounts counts = earlier_linear_counts;
+      if (solver)
+        counts += solver->counts();
+      return counts;
     }
 
     /// Where the residual of the last sweep is largest: a sentence for people.
@@ -220,6 +231,16 @@ namespace Riedel::Equilibrium
   private:
     void
     make_matrix();
+
+    /// Chooses and makes the solver of linear systems.
+    void
+    make_solver();
+
+    /// Rigid motions of the body as it is, all unknowns of one after all of
+    /// another, for owned dofs: translations [m], then rotations [rad], which
+    /// turn the grains with the body.
+    std::vector<double>
+    rigid_motions() const;
 
     void
     set_missing_diagonal();
@@ -259,7 +280,8 @@ namespace Riedel::Equilibrium
 
     double                        length; ///< divides moments
     LinearAlgebra::SparseMatrix   matrix;
-    std::unique_ptr<DirectSolver> solver;
+    std::unique_ptr<LinearSolver> solver;
+    LinearCounts                  earlier_linear_counts;
     bool                          factorised = false;
     /// does the matrix have the entries of the present supports?
     bool has_matrix = false;

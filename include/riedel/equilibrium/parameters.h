@@ -134,12 +134,23 @@ namespace Riedel::Equilibrium
     umfpack ///< on one rank only
   };
 
+  enum class LinearSolverName
+  {
+    automatic, ///< by dimension and number of unknowns (Balance::make_solver)
+    direct,
+    iterative ///< GMRES with algebraic multigrid
+  };
+
   /// Section "Solver".
   struct SolverParameters
   {
-    SchemeName       scheme    = SchemeName::accelerated;
-    Predictor        predictor = Predictor::automatic;
-    DirectSolverName solver    = DirectSolverName::mumps;
+    SchemeName       scheme        = SchemeName::accelerated;
+    Predictor        predictor     = Predictor::automatic;
+    DirectSolverName solver        = DirectSolverName::mumps;
+    LinearSolverName linear_solver = LinearSolverName::automatic;
+    /// reduction of a linear system's residual by the iterative solver
+    double       linear_residual        = 1e-3;
+    unsigned int most_linear_iterations = 300;
     /// largest residual of forces, and of moments divided by the law's length,
     /// relative to the norm of the reactions
     double residual = 1e-6;

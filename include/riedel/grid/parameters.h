@@ -63,7 +63,7 @@ namespace Riedel::Grid
     /// cells of the box along each axis
     std::vector<unsigned int> cells;
     /// cells beyond the body, before each lower and behind each upper side:
-    /// left, right, bottom, top[, front, back]; empty or all 0 for none
+    /// left, right, [front, back,] bottom, top; empty or all 0 for none
     std::vector<unsigned int> margin;
     /// uniform refinements of the grid of a file
     unsigned int           refinements   = 0;
@@ -71,8 +71,8 @@ namespace Riedel::Grid
     /// the axis along which the body repeats itself: what leaves it at one end
     /// comes in at the other
     std::optional<unsigned int> periodic_axis;
-    /// polynomial degrees, 1 or 2; "automatic" is 2 in configuration initial, 1
-    /// in current
+    /// polynomial degrees, 1 or 2; "automatic" is 2 in configuration initial
+    /// of the plane, else 1
     unsigned int   displacement_degree = 2;
     unsigned int   rotation_degree     = 2;
     StrainSampling sampling            = StrainSampling::assumed;
@@ -96,8 +96,9 @@ namespace Riedel::Grid
 
     static void
     declare(dealii::ParameterHandler &prm);
+    /// @p dim: dimension of the scene
     void
-    parse(dealii::ParameterHandler &prm);
+    parse(dealii::ParameterHandler &prm, const unsigned int dim);
     void
     check(const GeometryParameters &geometry, Problems &problems) const;
   };

@@ -58,6 +58,15 @@ namespace Riedel::Grid
       return fe.n_components();
     }
 
+    /// Does every node have all components, one after another? It does if
+    /// displacements and rotations are of equal degree.
+    bool
+    has_whole_nodes() const
+    {
+      return !micropolar ||
+             fe.base_element(0).degree == fe.base_element(1).degree;
+    }
+
     const dealii::FiniteElement<dim> &
     element() const
     {

@@ -250,10 +250,15 @@ namespace Riedel::Material
                          const Continuum::CurvatureTensor<3, Value>  &k,
                          const Continuum::SpaceTensor<3, Number>     &turned)
     {
-      const Continuum::SpaceTensor<3, Number> A = skew_tensor(theta);
-      // A + A^2/2 + ... up to the power 24, enough for angles below pi
+      const Continuum::SpaceTensor<3, Number> A      = skew_tensor(theta);
+      double                                  square = 0.;
+      for (unsigned int k = 0; k < 3; ++k)
+        square += Continuum::value_of(theta[k]) * Continuum::value_of(theta[k]);
       Continuum::SpaceTensor<3, Number> T = A;
-      for (unsigned int order = 25; order >= 3; --order)
+      for (unsigned int order =
+             1 + Continuum::n_terms_of_exponential(std::sqrt(square));
+           order >= 3;
+           --order)
         T = A + (1. / order) * (A * T);
       T                                            = .5 * T;
       Continuum::CurvatureTensor<3, Number> result = sum;

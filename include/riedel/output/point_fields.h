@@ -51,6 +51,7 @@ namespace Riedel::Output
     std::vector<Field>        list;
     std::vector<unsigned int> places; ///< of the slots' components
     unsigned int              stress; ///< place of stress 11, or absent
-    unsigned int              total = 0;
+    bool                      is_in_plane = true;
+    unsigned int              total       = 0;
   };
 } // namespace Riedel::Output

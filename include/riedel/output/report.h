@@ -17,7 +17,7 @@ namespace Riedel::Output
 
   /// Column heads of step_line(); @p watched describes the force.
   std::string
-  step_header(const std::string &watched);
+  step_header(const std::string &watched, const unsigned int dim);
 
   /// A line per step for the terminal.
   template <int dim>

@@ -53,8 +53,9 @@ namespace Riedel::Output
     typename Points::MaterialPoints<dim>::Sums drift;
     Equilibrium::Outcome                       outcome;
     std::uint64_t sweeps = 0, factorisations = 0; ///< since the start
-    std::size_t   n_bands     = 0;
-    double        cpu_seconds = 0.0;        ///< of all ranks
+    Equilibrium::LinearCounts         linear;     ///< likewise
+    std::size_t                       n_bands     = 0;
+    double                            cpu_seconds = 0.0; ///< of all ranks
     std::optional<Adaptation::Record> grid; ///< if the grid may change
   };
 

@@ -48,8 +48,9 @@ namespace Riedel::Points
   private:
     using SupportBuilder<dim>::result;
 
-    /// The supports of the next step, from displacements and rotations at its
-    /// start. Writes the points' volumes, displacements and rotations.
+    /// The supports of the next step, from the displacements at its start.
+    /// Writes the points' volumes and displacements, and in the plane their
+    /// rotations.
     void
     update(const std::vector<double> &solution, MaterialPoints<dim> &points);
 
@@ -78,6 +79,10 @@ namespace Riedel::Points
     void
     interpolate(const std::vector<double> &solution,
                 MaterialPoints<dim>       &points) const;
+
+    /// Turns the points by a step's increments, in space.
+    void
+    turn(const std::vector<double> &du, MaterialPoints<dim> &points) const;
 
     void
     update_cell(const CellData            &cell,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/generalised.h>
 #include <riedel/grid/frame.h>
 #include <riedel/grid/parameters.h>
 #include <riedel/material/parameters.h>
@@ -13,6 +14,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/particles/particle_handler.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -242,6 +244,11 @@ namespace Riedel::Points
     move(const unsigned int        point,
          const dealii::Point<dim> &x,
          const Grid::Frame<dim>   &frame);
+
+    /// Turns a point during accept() by the rotation vector @p theta [rad].
+    void
+    turn(const unsigned int                                             point,
+         const std::array<double, Continuum::Generalised<dim>::n_spin> &theta);
 
     /// A point and the axis along which its box is halved.
     struct Halving

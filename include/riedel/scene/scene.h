@@ -71,6 +71,13 @@ namespace Riedel::Scene
     check(Problems &problems) const;
   };
 
+  /// What a case file and the overrides say of Dimension; 2 if they say
+  /// nothing that can be used, which read_scene() then explains. Throws an
+  /// InputError if the file cannot be read.
+  unsigned int
+  dimension_of(const std::string              &file,
+               const std::vector<std::string> &overrides);
+
   /**
    * Reads a case file and the overrides "Section/Parameter=value" of the
    * command line. Throws an InputError whose text names every mistake that was
