@@ -313,7 +313,29 @@ namespace Riedel::Points
         0)
       return false;
     points.split(halvings, frame);
+    hold_before_walls(points);
     return true;
+  }
+
+
+
+  template <int dim>
+  void
+  CurrentSupports<dim>::hold_before_walls(MaterialPoints<dim> &points) const
+  {
+    const auto &frame = space->frame();
+    for (auto &particle : points.particles())
+      {
+        const auto x = frame.to_space(particle.get_location());
+        const auto held =
+          before_walls(x,
+                       points.half_lengths(particle.get_properties().data()));
+        if (held.distance(x) > 0.0)
+          {
+            points.count_held();
+            particle.set_location(frame.to_grid(held));
+          }
+      }
   }
 
 

@@ -87,6 +87,11 @@ namespace Riedel::Points
     before_walls(const dealii::Point<dim>     &x,
                  const dealii::Tensor<1, dim> &half_lengths) const;
 
+    /// Puts points that are not before the walls there: halves of a box that
+    /// lay across a wall.
+    void
+    hold_before_walls(MaterialPoints<dim> &points) const;
+
     void
     advance(const std::vector<double> &du,
             const std::vector<double> &increments,
