@@ -41,6 +41,8 @@ for area in ("current area", "initial area"):
     for form, configuration, ranks in (
             ("surface integral", "initial", 1), ("surface integral", "initial", 2),
             ("virtual stress", "initial", 1), ("virtual stress", "current", 2)):
+        if (area, configuration) == ("initial area", "current"):
+            continue  # free sides of moving points: the area is that of the start
         name = f"{form}, {area}, {configuration}, {ranks} ranks"
         run = check.run("pressure.prm", file_name(name),
                         [f"Grid/Reference configuration={configuration}"] +
