@@ -138,7 +138,7 @@ namespace Riedel::Equilibrium
                 const double       derivative) {
               for (unsigned int i = 0; i < dim; ++i)
                 tangent[Order::gradient(i, A) * n_generalised +
-                        Order::gradient(l, B)] -= p * n[i] * n[k] * derivative;
+                        Order::gradient(l, B)] += p * n[i] * n[k] * derivative;
             });
 
         // central difference: the formula is smooth and given by the user
