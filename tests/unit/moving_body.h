@@ -57,14 +57,15 @@ struct MovingBody
   }
 
   /// With the present scene.moving_points.
+  /// @param walls sides of the grid that hold points
   void
-  make_supports()
+  make_supports(const std::vector<bool> &walls = std::vector<bool>(4, false))
   {
     supports = std::make_unique<Riedel::Points::CurrentSupports<2>>(
       space,
       scene.grid,
       scene.moving_points,
-      std::vector<bool>(4, false),
+      walls,
       !scene.materials.materials.front().law->is_geometrically_linear());
   }
 

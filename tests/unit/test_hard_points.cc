@@ -250,6 +250,25 @@ TEST_CASE("Points may lie on the sides and corners of the grid",
 
 
 
+TEST_CASE("Halves of a long box at a wall stay before it", "[points][hard]")
+{
+  Moving m("points/rotation_sand.prm", {});
+  m.make_supports(std::vector<bool>(4, true));
+  const unsigned int n = m.n_points();
+  // its box is 9 times as long as the cells are wide and held at the left end
+  // of the grid, -0.02 m
+  m.points.row(0)[m.points.place.deformation_gradient] = 18.0;
+  m.points.move(0, dealii::Point<2>(-0.02 + 1e-5, 0.0011), m.space.frame());
+  m.update();
+  CHECK(m.points.n_split() > 1);
+  CHECK(m.points.n_removed() == 0);
+  CHECK(m.n_points() == n + m.points.n_split());
+  for (unsigned int p = 0; p < m.points.n_points(); ++p)
+    CHECK(m.points.position(p)[0] > -0.02);
+}
+
+
+
 namespace
 {
   /// In the plane, of the points above a height [Pa].
