@@ -243,7 +243,8 @@ namespace Riedel
                                                   space,
                                                   points,
                                                   supports->supports(),
-                                                  timer);
+                                                  timer,
+                                                  load);
     if (before)
       balance->continue_counts(*before);
     scheme = Equilibrium::Scheme<dim>::create(scene.solver, *balance);

@@ -62,7 +62,8 @@ namespace Riedel::Equilibrium
     const Grid::Space<dim>                 &space,
     Points::MaterialPoints<dim>            &points,
     const Points::Supports<dim>            &supports,
-    Timer                                  &timer)
+    Timer                                  &timer,
+    const double                            load)
     : boundary_parameters(&boundary_parameters)
     , loading(&loading)
     , parameters(&solver_parameters)
@@ -77,6 +78,7 @@ namespace Riedel::Equilibrium
     , plates(plate_parameters, space, points)
     , assembly(points, supports, virtual_stress)
     , length(0.0)
+    , load(load)
   {
     for (const auto &material : points.materials().materials)
       length = std::max(length, material.law->length());
