@@ -243,7 +243,8 @@ namespace Riedel
                                                   space,
                                                   points,
                                                   supports->supports(),
-                                                  timer);
+                                                  timer,
+                                                  load);
     if (before)
       balance->continue_counts(*before);
     scheme = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
@@ -335,6 +336,7 @@ namespace Riedel
 
     const auto try_from = [&](const bool extrapolated) {
       outcome = first_guess(step, extrapolated);
+      guess   = increment;
       if (outcome.failure.empty())
         outcome = scheme->solve(*balance, increment, steps.is_last_chance());
     };
@@ -451,9 +453,10 @@ namespace Riedel
                                       increment);
     std::vector<double> du;
     space.gather(increment, du);
-    extrapolation.accept(steps.tried(), increment);
-    // what a new grid has put out of balance says nothing about the step's size
+    // What a new grid has put out of balance is released in one step: it says
+    // nothing about the step's size, nor about how the body moves on.
     const bool on_new_grid = grid_record.imbalance > 0.0;
+    extrapolation.accept(steps.tried(), on_new_grid ? guess : increment);
     steps.succeeded(on_new_grid ? std::min(outcome.iterations,
                                            scene.solver.target_iterations) :
                                   outcome.iterations);

@@ -195,7 +195,8 @@ namespace Riedel
     /// mean displacements of the boundaries since the start
     std::vector<std::vector<double>> boundary_displacements;
     LinearAlgebra::Vector            increment;
-    LinearAlgebra::Vector forces_before; ///< external, last accepted step
+    LinearAlgebra::Vector            guess; ///< where its iterations began
+    LinearAlgebra::Vector forces_before;    ///< external, last accepted step
     Equilibrium::Outcome  outcome;
     double                external_work = 0.0, stress_work = 0.0;
     Analysis::ShearBands  bands;

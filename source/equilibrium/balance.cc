@@ -3,6 +3,8 @@
 #include <riedel/points/point_sums.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
 
 #include <cmath>
 #include <limits>
@@ -60,7 +62,8 @@ namespace Riedel::Equilibrium
     const Grid::Space<dim>                 &space,
     Points::MaterialPoints<dim>            &points,
     const Points::Supports<dim>            &supports,
-    Timer                                  &timer)
+    Timer                                  &timer,
+    const double                            load)
     : boundary_parameters(&boundary_parameters)
     , loading(&loading)
     , parameters(&solver_parameters)
@@ -75,6 +78,7 @@ namespace Riedel::Equilibrium
     , plates(plate_parameters, space, points)
     , assembly(points, supports, virtual_stress)
     , length(0.0)
+    , load(load)
   {
     for (const auto &material : points.materials().materials)
       length = std::max(length, material.law->length());
@@ -134,39 +138,46 @@ namespace Riedel::Equilibrium
   void
   Balance<dim>::make_matrix()
   {
-    // Dofs of prescribed values keep their diagonal entry.
-    LinearAlgebra::SparsityPattern               pattern(space->owned(),
-                                           space->owned(),
-                                           space->relevant(),
-                                           space->communicator());
+    // Collected on this side and not by Epetra, which takes longer: moving
+    // points have a new pattern in every step. Dofs of prescribed values keep
+    // their diagonal entry.
+    dealii::DynamicSparsityPattern pattern(space->dof_handler().n_dofs(),
+                                           space->dof_handler().n_dofs(),
+                                           space->relevant());
+    const auto                     couple =
+      [&](const std::vector<dealii::types::global_dof_index> &dofs) {
+        conditions.homogeneous().add_entries_local_to_global(dofs,
+                                                             pattern,
+                                                             false);
+      };
     std::vector<dealii::types::global_dof_index> dofs;
     for (const auto &patch : supports->patches)
       {
         dofs.assign(supports->global_dofs.begin() + patch.first_dof,
                     supports->global_dofs.begin() + patch.first_dof +
                       patch.n_dofs);
-        conditions.homogeneous().add_entries_local_to_global(dofs,
-                                                             pattern,
-                                                             false);
+        couple(dofs);
       }
     if (stabilisation)
       for (const auto &coupled : stabilisation->couplings())
-        conditions.homogeneous().add_entries_local_to_global(coupled,
-                                                             pattern,
-                                                             false);
+        couple(coupled);
     for (const auto &coupled : plates.couplings())
-      conditions.homogeneous().add_entries_local_to_global(coupled,
-                                                           pattern,
-                                                           false);
+      couple(coupled);
     // Fixed dofs that no point sees have no other entry, nor have hanging ones
     // of points that move.
     for (const auto dof : space->owned())
       if (conditions.homogeneous().is_constrained(dof))
         pattern.add(dof, dof);
-    pattern.compress();
+    dealii::SparsityTools::distribute_sparsity_pattern(pattern,
+                                                       space->owned(),
+                                                       space->communicator(),
+                                                       space->relevant());
     earlier_linear_counts = linear_counts();
     solver.reset();
-    matrix.reinit(pattern);
+    matrix.reinit(space->owned(),
+                  space->owned(),
+                  pattern,
+                  space->communicator());
     make_solver();
     has_matrix = true;
   }

@@ -6,7 +6,7 @@ Under lateral restraint a stretch a gives sigma_22 = M ln(a)/a in a Hencky
 solid, M = lambda + 2 mu, everywhere. The block's height is that below the
 plate plus the penetration, which grows by dp/k in a step. The stiffness is
 k = penalty 2 mu / (box length a^2): the penetration is between p/k of the
-first and of the last step.
+first and of the last step. Checkpoints on the way change nothing.
 """
 
 import math
@@ -54,6 +54,13 @@ for penalty in (1, 10, 1000):
                f"{name}: ten points touch the plate")
     check.close(f"{name}: energy balance", history["energy error [1]"][-1], 0.0,
                 absolute=1e-3)
+
+# the equations are built anew at a checkpoint, as on a new grid
+saved = check.run("compression.prm", "checkpoints",
+                  ["Plates/stamp/Penalty=1000", "Checkpoint/Every steps=3"])
+check.fields("penalty 1000, with checkpoints", 1e-8, force=(
+    saved.history["stamp force 2 [N/m]"], history["stamp force 2 [N/m]"],
+    WIDTH * M))
 
 wall = check.run("compression.prm", "wall", [
     "Grid/Margin cells=0, 0, 0, 0",

@@ -43,6 +43,8 @@ namespace Riedel::Equilibrium
   class Balance
   {
   public:
+    /// @p load is the load parameter of the state that the points are in: the
+    /// plates are where they are then.
     Balance(const BoundaryConditionParameters<dim> &boundary_parameters,
             const PlatesParameters<dim>            &plate_parameters,
             const LoadingParameters<dim>           &loading,
@@ -51,7 +53,8 @@ namespace Riedel::Equilibrium
             const Grid::Space<dim>                 &space,
             Points::MaterialPoints<dim>            &points,
             const Points::Supports<dim>            &supports,
-            Timer                                  &timer);
+            Timer                                  &timer,
+            const double                            load = 0.0);
 
     /// To be called when the supports have changed: points have moved. True if
     /// other nodes than before are seen by points.
@@ -293,7 +296,7 @@ namespace Riedel::Equilibrium
     std::vector<double> body_forces; ///< relevant dofs
     std::vector<double>
            present; ///< displacement of the last sweep, relevant dofs
-    double load = 0.0;
+    double load;
     /// nodal forces of the last sweep, relevant dofs
     std::vector<double> increment, internal, applied, plate_forces,
       virtual_forces;
