@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 namespace Riedel::Analysis
@@ -22,7 +23,9 @@ namespace Riedel::Analysis
 
 
     /// The deformed position of a place in a cell, and its micro-rotation.
-    /// Neighbours have the same dof there.
+    /// Neighbours have the same dof there; no_dof: no neighbour has this place.
+    constexpr DofIndex no_dof = dealii::numbers::invalid_dof_index;
+
     struct Node
     {
       DofIndex dof;
@@ -194,27 +197,37 @@ namespace Riedel::Analysis
     const unsigned int    n  = fe.degree;
     const dealii::FE_Q<2> geometry(1);
 
-    // Shape functions at the nodes of the triangles, the same in every cell.
+    // Shape functions at the nodes of the triangles, the same in every cell:
+    // the nodes of the element, and of finite elements the middles of the
+    // squares between them.
     struct Place
     {
       std::vector<double> vertices, shapes;
-      unsigned int        dof; ///< of a component with nodes there
+      /// of a component with nodes there
+      std::optional<unsigned int> dof;
     };
     std::vector<Place> places;
+    const auto         add_place = [&](const dealii::Point<2> &at) {
+      places.emplace_back();
+      for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
+        places.back().vertices.push_back(geometry.shape_value(v, at));
+      for (unsigned int k = 0; k < fe.n_dofs_per_cell(); ++k)
+        {
+          places.back().shapes.push_back(fe.shape_value(k, at));
+          if (fe.unit_support_point(k).distance(at) < 1e-6)
+            places.back().dof = k;
+        }
+    };
     for (unsigned int j = 0; j <= n; ++j)
       for (unsigned int i = 0; i <= n; ++i)
-        {
-          const dealii::Point<2> at(double(i) / n, double(j) / n);
-          places.emplace_back();
-          for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
-            places.back().vertices.push_back(geometry.shape_value(v, at));
-          for (unsigned int k = 0; k < fe.n_dofs_per_cell(); ++k)
-            {
-              places.back().shapes.push_back(fe.shape_value(k, at));
-              if (fe.unit_support_point(k).distance(at) < 1e-6)
-                places.back().dof = k;
-            }
-        }
+        add_place({double(i) / n, double(j) / n});
+    // values of moving points are means already: in the middle of a square the
+    // mean of four of them would widen bands
+    const bool has_middles = !points.are_moving();
+    if (has_middles)
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          add_place({(i + 0.5) / n, (j + 0.5) / n});
 
     std::vector<DofIndex> dofs(fe.n_dofs_per_cell());
     std::vector<Node>     nodes;
@@ -239,7 +252,10 @@ namespace Riedel::Analysis
                     value[c] +=
                       place.shapes[k] * solution[space.local(dofs[k])];
                 }
-              nodes.push_back({dofs[place.dof], value[0], value[1], value[2]});
+              nodes.push_back({place.dof ? dofs[*place.dof] : no_dof,
+                               value[0],
+                               value[1],
+                               value[2]});
             }
         }
 
@@ -257,35 +273,39 @@ namespace Riedel::Analysis
     for (const auto &part : all_nodes)
       for (const Node &node : part)
         {
-          const auto [entry, is_new] =
-            number_of_dof.emplace(node.dof, field.nodes.size());
-          numbers.push_back(entry->second);
-          if (!is_new)
+          unsigned int number = field.nodes.size();
+          if (node.dof != no_dof)
+            number = number_of_dof.emplace(node.dof, number).first->second;
+          numbers.push_back(number);
+          if (number < field.nodes.size())
             continue;
           field.nodes.push_back({{node.x, node.y}});
           if (space.is_micropolar())
             field.rotation.push_back(node.rotation);
         }
-    const unsigned int per_cell = (n + 1) * (n + 1);
-    for (unsigned int first = 0; first + per_cell <= numbers.size();
-         first += per_cell)
+    const unsigned int n_corners = (n + 1) * (n + 1);
+    for (std::size_t first = 0; first < numbers.size(); first += places.size())
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
           {
-            const unsigned int corner = first + j * (n + 1) + i;
+            const std::size_t  corner = first + j * (n + 1) + i;
             const unsigned int a = numbers[corner], b = numbers[corner + 1],
-                               c = numbers[corner + n + 1],
-                               d = numbers[corner + n + 2];
-            // diagonals alternate, so that no direction is preferred
-            if ((i + j) % 2 == 0)
+                               c = numbers[corner + n + 2],
+                               d = numbers[corner + n + 1];
+            if (has_middles)
               {
-                field.triangles.push_back({{a, b, d}});
-                field.triangles.push_back({{a, d, c}});
+                // four triangles: no diagonal is preferred
+                const unsigned int middle =
+                  numbers[first + n_corners + j * n + i];
+                field.triangles.push_back({{a, b, middle}});
+                field.triangles.push_back({{b, c, middle}});
+                field.triangles.push_back({{c, d, middle}});
+                field.triangles.push_back({{d, a, middle}});
               }
             else
               {
                 field.triangles.push_back({{a, b, c}});
-                field.triangles.push_back({{b, d, c}});
+                field.triangles.push_back({{a, c, d}});
               }
           }
     for (const auto &part : all_samples)

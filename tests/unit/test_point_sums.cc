@@ -162,3 +162,73 @@ TEST_CASE("Shear strain is the same in finite elements and of moving points",
       CHECK(std::abs(ratio - 1.0) < 0.02);
     }
 }
+
+
+
+namespace
+{
+  /**
+   * The thickness at half of the rotation [m] that is measured if the nodes of
+   * the finite elements of tests/points/band.prm have the rotation of a sech^2
+   * band of thickness @p width [m] through the middle, inclined by 45 degrees
+   * times @p side.
+   */
+  double
+  measured_width_of_elements(const double width, const double side)
+  {
+    const auto scene =
+      Scene::read_scene<2>(std::string(RIEDEL_TEST_DIR) + "/points/band.prm",
+                           {"Grid/Reference configuration=initial",
+                            "Grid/Displacement degree=1",
+                            "Grid/Rotation degree=1"});
+    Grid::Body<2>             body(MPI_COMM_SELF, scene.geometry, scene.grid);
+    const Grid::Space<2>      space(body.triangulation(), scene.grid, true);
+    Points::MaterialPoints<2> points(body.triangulation(),
+                                     scene.materials,
+                                     nullptr);
+    const auto                supports =
+      Points::SupportBuilder<2>::create(space,
+                                        scene.grid,
+                                        scene.moving_points,
+                                        std::vector<bool>(4, false),
+                                        true);
+    points.seed(supports->quadrature(), scene.initial_state, body.extent());
+
+    const double        k = 2.0 * std::acosh(std::sqrt(2.0)) / width;
+    std::vector<double> solution(space.relevant().n_elements(), 0.0);
+    for (unsigned int i = 0; i < solution.size(); ++i)
+      if (space.components()[i] == 2)
+        {
+          const auto   r      = space.nodes()[i] - body.extent().center();
+          const double across = std::sqrt(0.5) * (r[1] - side * r[0]);
+          solution[i]         = 0.3 / std::pow(std::cosh(k * across), 2);
+        }
+    Analysis::BandMeasureOptions options;
+    options.grain_size = 0.5e-3;
+    const auto bands   = Analysis::measure_shear_bands(
+      Analysis::collect_deformed_field(space, solution, points), options);
+    REQUIRE(bands.bands.size() == 1);
+    CHECK(bands.inclination == Approx(45.).margin(0.1));
+    CHECK(bands.bands[0].inclination * side > 0.);
+    return bands.thickness.at_50;
+  }
+} // namespace
+
+
+
+TEST_CASE("Bands of both inclinations are as thick on bilinear elements",
+          "[points]")
+{
+  for (const double cells : {2.5, 4.0, 6.0})
+    {
+      const double width   = cells * 2.5e-3;
+      const double rising  = measured_width_of_elements(width, 1.0);
+      const double falling = measured_width_of_elements(width, -1.0);
+      INFO(cells << " cells thick: measured " << rising / width << " and "
+                 << falling / width);
+      // triangles with all diagonals in one direction make one of them thinner
+      CHECK(rising == Approx(falling).epsilon(0.002));
+      // bilinear interpolation of exact values at the nodes widens a band
+      CHECK(std::abs(rising / width - 1.0) < 0.55 / (cells * cells));
+    }
+}
