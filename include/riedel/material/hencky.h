@@ -15,9 +15,9 @@ namespace Riedel::Material
    *     sigma = tau / J   J = exp(tr eps)
    *
    * in three dimensions; eps_33 keeps its initial value unless axis 3 is
-   * stretched. A step with f = I + H makes f b f^T of b. The stress is a function of the deformation alone, not
-   * of its path, and the tangent is symmetric. Equations and source:
-   * doc/theory/hencky.md.
+   * stretched. A step with f = I + H makes f b f^T of b. The stress is a
+   * function of the deformation alone, not of its path, and the tangent is
+   * symmetric. Equations and source: doc/theory/hencky.md.
    *
    * State: stress [Pa], logarithmic_strain (eps, which stands for b: a small
    * strain is not lost beside the 1 of b). The strain is what the law reads,
