@@ -213,7 +213,7 @@ namespace Riedel
     set_up.reset();
 
     LinearAlgebra::Vector r = space.owned_vector();
-    balance->begin_step(relevant_solution, load, load);
+    balance->begin_step(relevant_solution, present_load(), present_load());
     outcome.residual = balance->residual(increment, r);
   }
 
@@ -244,7 +244,7 @@ namespace Riedel
                                                   points,
                                                   supports->supports(),
                                                   timer,
-                                                  load);
+                                                  present_load());
     if (before)
       balance->continue_counts(*before);
     scheme = Equilibrium::Scheme<dim>::create(scene.solver, *balance);
@@ -305,7 +305,7 @@ namespace Riedel
     // The state in balance on the old grid, seen by the new one. The next step
     // releases what is out of balance: holding the load for it does harm.
     LinearAlgebra::Vector r = space.owned_vector(), zero = space.owned_vector();
-    balance->begin_step(relevant_solution, load, load);
+    balance->begin_step(relevant_solution, present_load(), present_load());
     const auto residual = balance->residual(zero, r);
     forces_before       = balance->external_forces();
 
@@ -325,14 +325,29 @@ namespace Riedel
 
 
   template <int dim>
+  void
+  Simulation<dim>::begin_step(const double s)
+  {
+    const auto &opening = scene.loading.opening;
+    if (!opening.controls)
+      {
+        balance->begin_step(relevant_solution, load, s, steps.share_of_uncut());
+        return;
+      }
+    balance->begin_step(relevant_solution,
+                        load_factor,
+                        load_factor + (s - load) * load_factor_rate);
+    balance->aim_at(s * opening.final_opening);
+  }
+
+
+
+  template <int dim>
   bool
   Simulation<dim>::solve_step()
   {
     const double step = steps.next(load, next_mark(scene.output.fields_every));
-    balance->begin_step(relevant_solution,
-                        load,
-                        load + step,
-                        steps.share_of_uncut());
+    begin_step(load + step);
 
     const auto try_from = [&](const bool extrapolated) {
       outcome = first_guess(step, extrapolated);
@@ -419,12 +434,23 @@ namespace Riedel
     if (extrapolated)
       {
         extrapolation.predict(step, increment);
+        if (scene.loading.opening.controls)
+          {
+            balance->impose(increment);
+            return guess;
+          }
         // a kink in what is prescribed must not end in the boundary's cells
         if (balance->mismatch(increment) < 0.1)
           {
             balance->impose(increment);
             return guess;
           }
+      }
+    if (scene.loading.opening.controls)
+      {
+        // the first iteration begins with the tangent at zero increment
+        increment = 0.0;
+        return guess;
       }
     guess.residual = balance->predict_with_tangent(increment);
     if (guess.residual.refused)
@@ -460,6 +486,12 @@ namespace Riedel
     steps.succeeded(on_new_grid ? std::min(outcome.iterations,
                                            scene.solver.target_iterations) :
                                   outcome.iterations);
+    if (scene.loading.opening.controls)
+      {
+        load_factor_rate =
+          (balance->load_factor() - load_factor) / steps.tried();
+        load_factor = balance->load_factor();
+      }
     load += steps.tried();
     ++n_steps;
     n_floored_points += outcome.residual.sweep.total.floored;

@@ -18,6 +18,7 @@ namespace Riedel
   Simulation<dim>::exchange(Archive &archive)
   {
     archive &n_steps &load &steps &extrapolation &points;
+    archive &load_factor                         &load_factor_rate;
 
     Grid::Frame<dim> frame = space.frame();
     archive         &frame;

@@ -226,6 +226,9 @@ namespace Riedel
     record.cuts          = steps.n_cuts();
     record.boundaries    = scene.geometry.names();
     record.displacements = boundary_displacements;
+    if (scene.loading.opening.controls)
+      record.controlled = {load_factor,
+                           load * scene.loading.opening.final_opening};
     for (const auto &boundary : scene.boundary_conditions.boundaries)
       record.supported.push_back(boundary.name);
     record.reactions = balance->reactions();

@@ -63,6 +63,15 @@ namespace Riedel
     prepare();
     bool
     solve_step();
+    /// Balance of a step to @p s.
+    void
+    begin_step(const double s);
+    /// What formulas get in place of s at the present state.
+    double
+    present_load() const
+    {
+      return scene.loading.opening.controls ? load_factor : load;
+    }
     /// Writes the first guess of a step's increments: extrapolated from the
     /// last steps, or by the tangent.
     Equilibrium::Outcome
@@ -187,7 +196,10 @@ namespace Riedel
     /// the largest of the laws' grain sizes, d50 [m]; 0 without grains
     double grain_size = 0.0;
 
-    /// the state of the run
+    /// the state of the run; by a measured opening also the load factor, and
+    /// its last change per share of the final opening
+    double load_factor = 0.0, load_factor_rate = 0.0;
+
     unsigned int          n_steps = 0;
     double                load;
     LinearAlgebra::Vector solution;

@@ -99,6 +99,8 @@ namespace Riedel::Equilibrium
         is_rotation[i]             = space.components()[local] >= dim;
         squared_lengths.begin()[i] = is_rotation[i] ? length * length : 1.0;
       }
+    if (loading.opening.controls)
+      opening = std::make_unique<Opening<dim>>(loading.opening, space);
     supports_changed();
     accepted_plates = plates.reports();
   }
@@ -195,14 +197,8 @@ namespace Riedel::Equilibrium
     assembly.begin_step(loading->strain_33_at(to) -
                         loading->strain_33_at(from));
     held.clear();
-    const auto set_load = [&](const double s) {
-      load = s;
-      plates.move(from, s);
-      body_forces.assign(start.size(), 0.0);
-      loads.add_body_forces(*supports, *points, load, body_forces);
-      if (points->are_moving())
-        find_extent();
-    };
+    step_from       = from;
+    opening_of_step = 0.0;
     if (points->are_moving() && release < 1.0)
       {
         set_load(from);
@@ -214,11 +210,26 @@ namespace Riedel::Equilibrium
       }
 
     set_load(to);
+  }
+
+
+
+  template <int dim>
+  void
+  Balance<dim>::set_load(const double s)
+  {
+    load = s;
+    plates.move(step_from, s);
+    body_forces.assign(start.size(), 0.0);
+    loads.add_body_forces(*supports, *points, load, body_forces);
+    if (points->are_moving())
+      find_extent();
     prescribed.assign(start.size(), 0.0);
     for (const auto &dof : conditions.prescribed())
       prescribed[dof.dof] =
-        conditions.value(dof, to) -
-        (points->are_moving() ? conditions.value(dof, from) : start[dof.dof]);
+        conditions.value(dof, s) - (points->are_moving() ?
+                                      conditions.value(dof, step_from) :
+                                      start[dof.dof]);
   }
 
 
@@ -295,8 +306,17 @@ namespace Riedel::Equilibrium
   Balance<dim>::linearise(const LinearAlgebra::Vector &du,
                           LinearAlgebra::Vector       &r)
   {
-    LinearAlgebra::Vector unused = space->owned_vector();
-    return factorise_at(du, conditions.homogeneous(), r, unused);
+    if (!opening)
+      {
+        LinearAlgebra::Vector unused = space->owned_vector();
+        return factorise_at(du, conditions.homogeneous(), r, unused);
+      }
+    load_derivative   = space->owned_vector();
+    const auto result = factorise_at(
+      du, conditions.with_increments(prescribed_rates()), r, load_derivative);
+    if (!result.refused)
+      add_load_derivative(du);
+    return result;
   }
 
 
@@ -375,6 +395,8 @@ namespace Riedel::Equilibrium
     solver->solve(r, delta);
     delta *= -1.0;
     space->set_hanging(delta);
+    if (opening)
+      close_opening(delta);
   }
 
 
@@ -447,6 +469,12 @@ namespace Riedel::Equilibrium
                                                    matrix,
                                                    *right_hand_side) :
                      assembly.forces(increment, internal, virtual_forces);
+
+    if (opening_of_step != 0.0)
+      {
+        opening_gap    = opening_of_step - (*opening)(du);
+        result.opening = std::abs(opening_gap / opening_of_step);
+      }
 
     if (stabilisation)
       {

@@ -292,6 +292,7 @@ namespace Riedel::Equilibrium
                         "given. Forces per metre are then those per metre of "
                         "the present thickness; for the configuration "
                         "initial.");
+    OpeningParameters<dim>::declare(prm);
     for (unsigned int d = 0; d < dim; ++d)
       declare_formula<dim>(
         prm,
@@ -320,6 +321,7 @@ namespace Riedel::Equilibrium
     fixed_steps   = prm.get_bool("Fixed steps");
     if (dim == 2)
       strain_33 = read_formula<dim>(prm, "Loading", "Strain 33");
+    opening.parse(prm);
     for (unsigned int d = 0; d < dim; ++d)
       body_force[d] =
         read_formula<dim>(prm, "Loading", component<dim>("Body force", d));
@@ -378,6 +380,11 @@ namespace Riedel::Equilibrium
                          "It is the same in the whole body: a formula in s "
                          "without coordinates.");
       }
+    opening.check(problems);
+    if (opening.controls && start < 0.0)
+      problems.error("Loading/Start",
+                     "With Control = opening it must be 0: an opening has no "
+                     "stage before the loading.");
     for (unsigned int d = 0; d < BoundaryParameters<dim>::n_spin; ++d)
       if (!micropolar && body_couple[d].given())
         problems.error("Loading/" + spin<dim>("Body couple", d),

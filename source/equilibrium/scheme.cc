@@ -44,8 +44,7 @@ namespace Riedel::Equilibrium
       Residual                    residual;
       for (double fraction = 1.0; fraction > 0.05; fraction *= 0.5)
         {
-          du = from;
-          du.add(fraction, delta);
+          balance.advance(from, fraction, delta, du);
           residual = balance.residual(du, r);
           if (!residual.refused &&
               residual.relative() < (1.0 - 0.1 * fraction) * before.relative())

@@ -82,6 +82,11 @@ namespace Riedel::Output
     Row               row       = {{"step [1]", record.number},
                                    {"load [1]", record.load},
                                    {"step size [1]", record.step}};
+    if (record.controlled)
+      {
+        row.emplace_back("load factor [1]", record.controlled->first);
+        row.emplace_back("opening [m]", record.controlled->second);
+      }
 
     for (std::size_t b = 0; b < record.boundaries.size(); ++b)
       {

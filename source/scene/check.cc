@@ -300,6 +300,35 @@ namespace Riedel::Scene
 
 
 
+  namespace
+  {
+    /// A measured opening controls the load of bodies whose points keep their
+    /// places in the grid, in Newton's method.
+    template <int dim>
+    void
+    check_opening(const Scene<dim> &scene, Problems &problems)
+    {
+      if (!scene.loading.opening.controls)
+        return;
+      if (scene.solver.scheme != Equilibrium::SchemeName::newton)
+        problems.error("Loading/Control",
+                       "The load factor of a measured opening is an unknown of "
+                       "Newton's method: \"set Scheme = newton\" in section "
+                       "Solver.");
+      if (scene.grid.configuration != Grid::ReferenceConfiguration::initial)
+        problems.error("Loading/Control",
+                       "An opening is measured between places of finite "
+                       "elements: \"set Reference configuration = initial\" in "
+                       "section Grid, or Control = load.");
+      if (scene.loading.strain_33.given())
+        problems.error("Loading/Strain 33",
+                       "It must be known before the load factor is: not with "
+                       "Control = opening.");
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   Scene<dim>::check(Problems &problems) const
@@ -321,6 +350,7 @@ namespace Riedel::Scene
     loading.check(micropolar, problems);
     check_strain_33(*this, problems);
     solver.check(problems);
+    check_opening(*this, problems);
     output.check(problems);
     if (solver.linear_solver == Equilibrium::LinearSolverName::iterative &&
         micropolar && grid.displacement_degree != grid.rotation_degree)

@@ -224,6 +224,9 @@ namespace Riedel::Scene
       {"Loading",
        "The load parameter s runs from 0 to `Stop` in steps that adapt "
        "themselves."},
+      {"Loading/Opening",
+       "For `Control = opening`: the displacement between two places that "
+       "grows from step to step (theory/solution.md)."},
       {"Solver", "How a step is solved."},
       {"Adaptation",
        "The grid is refined while the body is loaded (adaptation.md)."},

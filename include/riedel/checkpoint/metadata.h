@@ -17,7 +17,7 @@ namespace Riedel::Checkpoint
   struct Metadata
   {
     /// the format of the files; another one cannot be read
-    static constexpr unsigned int present_format = 4;
+    static constexpr unsigned int present_format = 5;
 
     struct File
     {

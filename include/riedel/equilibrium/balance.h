@@ -5,6 +5,7 @@
 #include <riedel/equilibrium/boundary_conditions.h>
 #include <riedel/equilibrium/linear_solver.h>
 #include <riedel/equilibrium/loads.h>
+#include <riedel/equilibrium/opening.h>
 #include <riedel/equilibrium/parameters.h>
 #include <riedel/equilibrium/plates.h>
 #include <riedel/equilibrium/surface_stabilisation.h>
@@ -21,16 +22,19 @@ namespace Riedel::Equilibrium
   /// How far the forces and moments of a trial step are from balance.
   struct Residual
   {
-    double      force  = 0.0; ///< norm of the out-of-balance forces [N/m in 2D]
-    double      moment = 0.0; ///< of the moments, divided by the law's length
-    double      reference = 0.0; ///< norm of reactions or loads
+    double force     = 0.0; ///< norm of the out-of-balance forces [N/m in 2D]
+    double moment    = 0.0; ///< of the moments, divided by the law's length
+    double reference = 0.0; ///< norm of reactions or loads
+    /// what is missing of the step's opening, relative to it; 0 without
+    /// control
+    double      opening = 0.0;
     SweepReport sweep; ///< sums over all ranks, first_refused of this one
     bool        refused = false; ///< a point on some rank gave no result
 
     double
     relative() const
     {
-      return std::max(force, moment) / reference;
+      return std::max(std::max(force, moment) / reference, opening);
     }
   };
 
@@ -71,6 +75,19 @@ namespace Riedel::Equilibrium
                const double               from,
                const double               to,
                const double               release = 1.0);
+
+    /// After begin_step(), whose end @p to is then only the first guess of the
+    /// load factor: the opening at the end of the step [m].
+    void
+    aim_at(const double opening_at_end);
+
+    /// The load parameter of the last sweep: that of the step's end or, if an
+    /// opening controls the load, the load factor.
+    double
+    load_factor() const
+    {
+      return load;
+    }
 
     /// Where the walls of the grid are at a load parameter.
     Grid::Frame<dim>
@@ -129,6 +146,14 @@ namespace Riedel::Equilibrium
     /// delta = -K^-1 r with the last factors.
     void
     correction(const LinearAlgebra::Vector &r, LinearAlgebra::Vector &delta);
+
+    /// Sets @p du to @p from plus a fraction of the last correction, which
+    /// includes that of the load factor if an opening controls it.
+    void
+    advance(const LinearAlgebra::Vector &from,
+            const double                 fraction,
+            const LinearAlgebra::Vector &delta,
+            LinearAlgebra::Vector       &du);
 
     /// First guess from the tangent at zero increment under the prescribed
     /// increments of the step. Never the prescribed increments alone: they
@@ -251,6 +276,23 @@ namespace Riedel::Equilibrium
     void
     find_extent();
 
+    /// Loads and prescribed increments of the step at a load parameter.
+    void
+    set_load(const double s);
+
+    /// Derivative of minus the residual by the load factor at @p du: its part
+    /// of the prescribed increments is given.
+    void
+    add_load_derivative(const LinearAlgebra::Vector &du);
+
+    /// Completes a correction of the increments by that of the load factor.
+    void
+    close_opening(LinearAlgebra::Vector &delta);
+
+    /// Prescribed increments per load factor, by local number.
+    std::vector<double>
+    prescribed_rates() const;
+
     /// Stiffness under @p constraints at @p du, and its factors.
     Residual
     factorise_at(const LinearAlgebra::Vector             &du,
@@ -297,6 +339,16 @@ namespace Riedel::Equilibrium
     std::vector<double>
            present; ///< displacement of the last sweep, relevant dofs
     double load;
+    double step_from = 0.0; ///< load parameter at the start of the step
+
+    /// of a control by opening; else empty
+    std::unique_ptr<Opening<dim>> opening;
+    double opening_of_step = 0.0; ///< its increment [m]; 0: not asked for
+    double opening_gap     = 0.0; ///< what the last sweep lacks of it [m]
+    /// minus the derivative of the residual by the load factor
+    LinearAlgebra::Vector load_derivative;
+    /// load factor where the last correction was made, and its correction
+    double corrected_load = 0.0, load_correction = 0.0;
     /// nodal forces of the last sweep, relevant dofs
     std::vector<double> increment, internal, applied, plate_forces,
       virtual_forces;

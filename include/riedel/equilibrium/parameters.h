@@ -2,6 +2,7 @@
 #pragma once
 
 #include <riedel/continuum/generalised.h>
+#include <riedel/equilibrium/opening_parameters.h>
 #include <riedel/errors.h>
 #include <riedel/expression.h>
 
@@ -89,6 +90,8 @@ namespace Riedel::Equilibrium
     double stop          = 1.0;
     /// steps never change: no growth, no cut
     bool fixed_steps = false;
+    /// if it controls, formulas get the load factor in place of s
+    OpeningParameters<dim> opening;
 
     /// In plane strain: logarithmic strain across the plane since the start, a
     /// formula in s alone. Not given: zero.

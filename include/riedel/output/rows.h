@@ -28,6 +28,9 @@ namespace Riedel::Output
     double       step   = 0.0;
     unsigned int cuts   = 0; ///< since the start
 
+    /// by a measured opening: the load factor, and the opening [m]
+    std::optional<std::pair<double, double>> controlled;
+
     /// names of all boundaries of the body, and their mean displacements and
     /// rotations
     std::vector<std::string>         boundaries;

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <riedel/equilibrium/opening.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/mapping_q1.h>
+
+#include <sstream>
+
+namespace Riedel::Equilibrium
+{
+  namespace
+  {
+    /// A locally owned cell that contains a place, and where in it.
+    template <int dim>
+    std::pair<typename dealii::DoFHandler<dim>::active_cell_iterator,
+              dealii::Point<dim>>
+    find_cell(const dealii::DoFHandler<dim> &dofs,
+              const dealii::Point<dim>      &place)
+    {
+      constexpr double             tolerance = 1e-8; // of a cell
+      const dealii::MappingQ1<dim> mapping;
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned() &&
+            place.distance(cell->center()) <= cell->diameter())
+          {
+            try
+              {
+                const auto unit =
+                  mapping.transform_real_to_unit_cell(cell, place);
+                if (dealii::GeometryInfo<dim>::is_inside_unit_cell(unit,
+                                                                   tolerance))
+                  return {cell, unit};
+              }
+            catch (
+              const typename dealii::Mapping<dim>::ExcTransformationFailed &)
+              {
+                // far outside of a distorted cell
+              }
+          }
+      return {dofs.end(), place};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Opening<dim>::Opening(const OpeningParameters<dim> &parameters,
+                        const Grid::Space<dim>       &space)
+    : weights(space.owned_vector())
+  {
+    add(parameters.to, parameters.component, 1.0, "To", space);
+    add(parameters.from, parameters.component, -1.0, "From", space);
+  }
+
+
+
+  template <int dim>
+  void
+  Opening<dim>::add(const std::vector<double> &place,
+                    const unsigned int         component,
+                    const double               factor,
+                    const std::string         &parameter,
+                    const Grid::Space<dim>    &space)
+  {
+    dealii::Point<dim> x;
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] = place[d];
+    const auto [cell, unit] = find_cell(space.dof_handler(), x);
+    const bool is_here      = cell != space.dof_handler().end();
+
+    // a place on a face between ranks counts once
+    const MPI_Comm     communicator = space.communicator();
+    const unsigned int n =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int first =
+      dealii::Utilities::MPI::min(is_here ? rank : n, communicator);
+    if (first == n)
+      {
+        std::ostringstream text;
+        text << "Loading/Opening/" << parameter << ": the place (" << x
+             << ") m is not in the body.";
+        throw InputError(text.str());
+      }
+
+    std::vector<double> shares(space.relevant().n_elements(), 0.0);
+    if (rank == first)
+      {
+        std::vector<dealii::types::global_dof_index> dofs(
+          space.element().n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (space.element().system_to_component_index(i).first == component)
+            shares[space.local(dofs[i])] +=
+              factor * space.element().shape_value(i, unit);
+      }
+    space.scatter_add(shares, weights);
+  }
+
+
+
+  template class Opening<2>;
+  template class Opening<3>;
+} // namespace Riedel::Equilibrium
