@@ -89,6 +89,12 @@ check.fields("opening", 1e-11,
              s=(history["opening [m]"],
                 [5e-3 * s for s in history["load [1]"]], 5e-3))
 
+# With half the internal length the curve is steep, but does not go back yet.
+half, _ = path(run("half", opening(20, 80) +
+                   ["Materials/solid/Bending modulus=72000"]))
+check.note(all(b > a for a, b in zip(half, half[1:])),
+           "L = 3: the top moves on in every step")
+
 # The same path with a load instead of a displacement, on two ranks with one
 # place each, and after a resumption; in all of them a step ends at s = 0.4.
 marked = opening(20, 80) + ["Output/Fields every=0.4",
