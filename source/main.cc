@@ -2,60 +2,12 @@
 #include <riedel/errors.h>
 #include <riedel/rank_meeting.h>
 #include <riedel/run.h>
-#include <riedel/scene/command_line.h>
-#include <riedel/scene/scene.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <exception>
 #include <iostream>
 #include <string>
-
-namespace
-{
-  template <int dim>
-  int
-  run_case(const Riedel::Scene::CommandLine &command, std::ostream &out)
-  {
-    using namespace Riedel;
-    const auto scene =
-      Scene::read_scene<dim>(command.case_file, command.overrides);
-    if (!command.validate && !command.print_parameters)
-      return Riedel::run<dim>(scene, command);
-    for (const std::string &warning : scene.warnings)
-      out << "Warning: " << warning << std::endl;
-    if (command.validate)
-      out << command.case_file << " is valid." << std::endl;
-    else
-      out << print(scene.parameters, *command.print_parameters);
-    return 0;
-  }
-
-
-
-  int
-  run(const int argc, char **argv, const bool speaks)
-  {
-    using namespace Riedel;
-    const Scene::CommandLine command = Scene::read_command_line(argc, argv);
-    std::ostream             silence(nullptr);
-    std::ostream            &out = speaks ? std::cout : silence;
-    if (!command.answer.empty())
-      out << command.answer;
-    else if (command.case_file.empty())
-      out << print(Scene::all_parameters(), *command.print_parameters);
-    else
-      {
-        const auto file = command.case_file;
-        if (Scene::dimension_of(file, command.overrides) == 3)
-          return run_case<3>(command, out);
-        return run_case<2>(command, out);
-      }
-    return 0;
-  }
-} // namespace
-
-
 
 int
 main(int argc, char **argv)
@@ -76,7 +28,8 @@ main(int argc, char **argv)
   };
   try
     {
-      return run(argc, argv, speaks);
+      Riedel::run(argc, argv, speaks);
+      return 0;
     }
   catch (const Riedel::InputError &error)
     {

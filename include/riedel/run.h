@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <riedel/scene/command_line.h>
-#include <riedel/scene/scene.h>
-
 namespace Riedel
 {
-  /// Computes what the scene asks for, on all ranks of MPI_COMM_WORLD, into a
-  /// results folder; returns the program's exit code. Throws InputError or
+  /// Does what the command line asks for, on all ranks of MPI_COMM_WORLD:
+  /// answers, or computes a case into a results folder. Throws InputError or
   /// ComputationError, on all ranks together.
-  template <int dim>
-  int
-  run(const Scene::Scene<dim> &scene, const Scene::CommandLine &options);
+  /// @param speaks does this rank write to the terminal?
+  void
+  run(const int argc, char **argv, const bool speaks);
 } // namespace Riedel
