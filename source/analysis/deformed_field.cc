@@ -22,10 +22,13 @@ namespace Riedel::Analysis
 
 
 
-    /// The deformed position of a place in a cell, and its micro-rotation.
-    /// Neighbours have the same dof there; no_dof: no neighbour has this place.
+    /// Of a place that no neighbour has.
     constexpr DofIndex no_dof = dealii::numbers::invalid_dof_index;
 
+
+
+    /// The deformed position of a place in a cell, and its micro-rotation.
+    /// Neighbours have the same dof there.
     struct Node
     {
       DofIndex dof;
