@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 namespace Riedel
@@ -11,8 +10,7 @@ namespace Riedel
   /// the ranks (Epetra underneath).
   namespace LinearAlgebra
   {
-    using Vector          = dealii::TrilinosWrappers::MPI::Vector;
-    using SparseMatrix    = dealii::TrilinosWrappers::SparseMatrix;
-    using SparsityPattern = dealii::TrilinosWrappers::SparsityPattern;
+    using Vector       = dealii::TrilinosWrappers::MPI::Vector;
+    using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   } // namespace LinearAlgebra
 } // namespace Riedel
