@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/compat.h>
 #include <riedel/grid/body.h>
+#include <riedel/grid/round_boundary.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
@@ -87,6 +88,8 @@ namespace Riedel::Grid
                          ": its name' to Geometry/Boundary names.");
 
     // before refinement: every rank still knows all cells here
+    for (const std::string &name : geometry.round_boundaries)
+      make_round(tria, boundary(name), name);
     grid_box = dealii::GridTools::compute_bounding_box(tria);
     if (!geometry.file.empty())
       box = grid_box;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/grid/parameters.h>
+#include <riedel/nearest_name.h>
 #include <riedel/pattern.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -41,6 +42,11 @@ namespace Riedel::Grid
                       FormPattern("0: bottom, 1: right and so on"),
                       "Names of the boundaries of a grid file by their "
                       "numbers in it.");
+    prm.declare_entry("Round boundaries",
+                      "",
+                      FormPattern("names of boundaries, separated by \",\""),
+                      "Boundaries of a grid file that are arcs of a circle, or "
+                      "parts of a sphere: nodes of finer cells are put on it.");
     prm.leave_subsection();
   }
 
@@ -76,6 +82,8 @@ namespace Riedel::Grid
           throw ParameterError("Geometry/Boundary names",
                                "The boundary " + parts[0] + " has two names.");
       }
+    round_boundaries =
+      Utilities::split_string_list(prm.get("Round boundaries"));
     prm.leave_subsection();
 
     if (!box.empty() && boundary_names.empty())
@@ -131,6 +139,10 @@ namespace Riedel::Grid
                          "The corner has " + std::to_string(origin.size()) +
                            " coordinates; in " + std::to_string(dimension) +
                            "D it needs " + entries + ".");
+        if (!round_boundaries.empty())
+          problems.error("Geometry/Round boundaries",
+                         "They are for grid files only; the boundaries of a "
+                         "box are plane.");
         if (boundary_names.size() != 2 * dimension)
           problems.error("Geometry/Boundary names",
                          "They are for grid files only; the boundaries of a "
@@ -157,6 +169,11 @@ namespace Riedel::Grid
       if (!seen.insert(name).second)
         problems.error("Geometry/Boundary names",
                        "Two boundaries are called \"" + name + "\".");
+    for (const std::string &name : round_boundaries)
+      if (seen.count(name) == 0)
+        problems.error("Geometry/Round boundaries",
+                       "There is no boundary \"" + name + "\"." +
+                         did_you_mean(name, names()));
   }
 
 

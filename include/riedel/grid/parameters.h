@@ -44,6 +44,8 @@ namespace Riedel::Grid
     std::string file;
     /// boundary id -> name. A box has left, right, bottom, top (, front, back)
     std::map<unsigned int, std::string> boundary_names;
+    /// names of those that are arcs of a circle or parts of a sphere
+    std::vector<std::string> round_boundaries;
 
     static void
     declare(dealii::ParameterHandler &prm);
