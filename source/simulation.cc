@@ -336,7 +336,8 @@ namespace Riedel
       }
     balance->begin_step(relevant_solution,
                         load_factor,
-                        load_factor + (s - load) * load_factor_rate);
+                        load_factor + (s - load) * load_factor_rate,
+                        steps.share_of_uncut());
     balance->aim_at(s * opening.final_opening);
   }
 
@@ -409,7 +410,7 @@ namespace Riedel
       return;
     std::vector<double> du;
     space.gather(increment, du);
-    const auto next = balance->walls(s);
+    const auto next = balance->walls(load_at(s));
     // the neighbours of its cells each rank knows
     if (Points::largest_move(
           space, next, du, supports->supports().unseen_dofs) < 1.0)
@@ -475,7 +476,8 @@ namespace Riedel
       Equilibrium::continue_to_unseen(space,
                                       supports->supports().unseen_dofs,
                                       balance->prescribed_dofs(),
-                                      balance->walls(load + steps.tried()),
+                                      balance->walls(
+                                        load_at(load + steps.tried())),
                                       increment);
     std::vector<double> du;
     space.gather(increment, du);
@@ -499,7 +501,7 @@ namespace Riedel
     n_stalled_steps += outcome.stalled;
 
     if (points.are_moving())
-      space.set_frame(balance->walls(load));
+      space.set_frame(balance->walls(present_load()));
     else
       {
         solution += increment;

@@ -72,6 +72,12 @@ namespace Riedel
     {
       return scene.loading.opening.controls ? load_factor : load;
     }
+    /// The same at the end of the step to @p s that has been tried.
+    double
+    load_at(const double s) const
+    {
+      return scene.loading.opening.controls ? balance->load_factor() : s;
+    }
     /// Writes the first guess of a step's increments: extrapolated from the
     /// last steps, or by the tangent.
     Equilibrium::Outcome

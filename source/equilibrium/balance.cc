@@ -99,7 +99,7 @@ namespace Riedel::Equilibrium
         is_rotation[i]             = space.components()[local] >= dim;
         squared_lengths.begin()[i] = is_rotation[i] ? length * length : 1.0;
       }
-    if (loading.opening.controls)
+    if (loading.opening.controls && !points.are_moving())
       opening = std::make_unique<Opening<dim>>(loading.opening, space);
     supports_changed();
     accepted_plates = plates.reports();
@@ -118,6 +118,11 @@ namespace Riedel::Equilibrium
     if (stabilisation)
       stabilisation->rebuild(*points, *supports);
     plates.rebuild(load);
+    if (loading->opening.controls && points->are_moving())
+      opening = std::make_unique<Opening<dim>>(loading->opening,
+                                               *space,
+                                               *points,
+                                               *supports);
     is_prescribed.assign(space->owned().n_elements(), false);
     for (unsigned int i = 0; i < conditions.is_fixed().size(); ++i)
       {

@@ -31,7 +31,7 @@ namespace Riedel::Equilibrium
     for (unsigned int i = 0; i < start.size(); ++i)
       if (space->owned().is_element(space->relevant().nth_index_in_set(i)))
         u.begin()[space->owned_place(i)] = start[i];
-    opening_of_step = opening_at_end - (*opening)(u);
+    opening_of_step = opening_at_end - opening->before() - (*opening)(u);
   }
 
 

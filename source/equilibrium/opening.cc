@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q1.h>
 
+#include <limits>
 #include <sstream>
 
 namespace Riedel::Equilibrium
@@ -40,6 +41,35 @@ namespace Riedel::Equilibrium
           }
       return {dofs.end(), place};
     }
+
+
+
+    template <int dim>
+    dealii::Point<dim>
+    as_point(const std::vector<double> &place)
+    {
+      dealii::Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = place[d];
+      return x;
+    }
+
+
+
+    /// Is it this rank, the first of those that say so? Collective; true on one
+    /// rank, or on none if no rank says so.
+    bool
+    is_first(const bool is_here, const MPI_Comm communicator, bool &is_anywhere)
+    {
+      const unsigned int n =
+        dealii::Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int rank =
+        dealii::Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int first =
+        dealii::Utilities::MPI::min(is_here ? rank : n, communicator);
+      is_anywhere = first < n;
+      return rank == first;
+    }
   } // namespace
 
 
@@ -63,21 +93,15 @@ namespace Riedel::Equilibrium
                     const std::string         &parameter,
                     const Grid::Space<dim>    &space)
   {
-    dealii::Point<dim> x;
-    for (unsigned int d = 0; d < dim; ++d)
-      x[d] = place[d];
+    const auto x            = as_point<dim>(place);
     const auto [cell, unit] = find_cell(space.dof_handler(), x);
-    const bool is_here      = cell != space.dof_handler().end();
 
     // a place on a face between ranks counts once
-    const MPI_Comm     communicator = space.communicator();
-    const unsigned int n =
-      dealii::Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int rank =
-      dealii::Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int first =
-      dealii::Utilities::MPI::min(is_here ? rank : n, communicator);
-    if (first == n)
+    bool       is_anywhere;
+    const bool is_mine = is_first(cell != space.dof_handler().end(),
+                                  space.communicator(),
+                                  is_anywhere);
+    if (!is_anywhere)
       {
         std::ostringstream text;
         text << "Loading/Opening/" << parameter << ": the place (" << x
@@ -86,7 +110,7 @@ namespace Riedel::Equilibrium
       }
 
     std::vector<double> shares(space.relevant().n_elements(), 0.0);
-    if (rank == first)
+    if (is_mine)
       {
         std::vector<dealii::types::global_dof_index> dofs(
           space.element().n_dofs_per_cell());
@@ -97,6 +121,72 @@ namespace Riedel::Equilibrium
               factor * space.element().shape_value(i, unit);
       }
     space.scatter_add(shares, weights);
+  }
+
+
+
+  template <int dim>
+  Opening<dim>::Opening(const OpeningParameters<dim>      &parameters,
+                        const Grid::Space<dim>            &space,
+                        const Points::MaterialPoints<dim> &points,
+                        const Points::Supports<dim>       &supports)
+    : weights(space.owned_vector())
+  {
+    add(parameters.to, parameters.component, 1.0, space, points, supports);
+    add(parameters.from, parameters.component, -1.0, space, points, supports);
+  }
+
+
+
+  template <int dim>
+  void
+  Opening<dim>::add(const std::vector<double>         &place,
+                    const unsigned int                 component,
+                    const double                       factor,
+                    const Grid::Space<dim>            &space,
+                    const Points::MaterialPoints<dim> &points,
+                    const Points::Supports<dim>       &supports)
+  {
+    const auto   x       = as_point<dim>(place);
+    double       closest = std::numeric_limits<double>::infinity();
+    unsigned int nearest = 0;
+    for (unsigned int p = 0; p < points.n_points(); ++p)
+      {
+        const double distance = points.initial_position(p).distance(x);
+        // rounding must not decide between equally near points
+        if (distance < (1.0 - 1e-9) * closest)
+          {
+            closest = distance;
+            nearest = p;
+          }
+      }
+    const MPI_Comm communicator = space.communicator();
+    const double   everywhere =
+      dealii::Utilities::MPI::min(closest, communicator);
+    bool       is_anywhere;
+    const bool is_mine =
+      is_first(closest <= everywhere * (1.0 + 1e-9), communicator, is_anywhere);
+
+    double              moved = 0.0;
+    std::vector<double> shares(space.relevant().n_elements(), 0.0);
+    if (is_mine)
+      {
+        moved = points.position(nearest)[component] -
+                points.initial_position(nearest)[component];
+        for (const auto &patch : supports.patches)
+          if (nearest >= patch.first_point &&
+              nearest < patch.first_point + patch.n_points)
+            {
+              const unsigned int q = nearest - patch.first_point;
+              for (unsigned int i = 0; i < patch.n_nodes; ++i)
+                shares[supports.dofs[patch.first_dof +
+                                     component * patch.n_nodes + i]] +=
+                  factor *
+                  supports.weight[patch.first_weight + q * patch.n_nodes + i];
+            }
+      }
+    space.scatter_add(shares, weights);
+    opening_before += factor * dealii::Utilities::MPI::sum(moved, communicator);
   }
 
 

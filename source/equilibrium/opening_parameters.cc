@@ -31,7 +31,8 @@ namespace Riedel::Equilibrium
     prm.declare_entry("From",
                       "",
                       Patterns::List(Patterns::Double(), 0, dim),
-                      "A place of the undeformed body [m].");
+                      "A place of the undeformed body [m]; of moving material "
+                      "points the nearest one.");
     prm.declare_entry("To",
                       "",
                       Patterns::List(Patterns::Double(), 0, dim),

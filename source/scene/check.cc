@@ -302,8 +302,7 @@ namespace Riedel::Scene
 
   namespace
   {
-    /// A measured opening controls the load of bodies whose points keep their
-    /// places in the grid, in Newton's method.
+    /// A measured opening controls the load in Newton's method.
     template <int dim>
     void
     check_opening(const Scene<dim> &scene, Problems &problems)
@@ -315,11 +314,6 @@ namespace Riedel::Scene
                        "The load factor of a measured opening is an unknown of "
                        "Newton's method: \"set Scheme = newton\" in section "
                        "Solver.");
-      if (scene.grid.configuration != Grid::ReferenceConfiguration::initial)
-        problems.error("Loading/Control",
-                       "An opening is measured between places of finite "
-                       "elements: \"set Reference configuration = initial\" in "
-                       "section Grid, or Control = load.");
       if (scene.loading.strain_33.given())
         problems.error("Loading/Strain 33",
                        "It must be known before the load factor is: not with "
