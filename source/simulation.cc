@@ -283,8 +283,10 @@ namespace Riedel
                              supports->supports(),
                              relevant_increment))
           break;
-        auto vectors = extrapolation.vectors();
-        vectors.insert(vectors.end(), {&solution, &increment});
+        std::vector<LinearAlgebra::Vector *> vectors = {&solution, &increment};
+        for (LinearAlgebra::Vector *guess : extrapolation.vectors())
+          if (guess->size() > 0) // after the first step one of them is empty
+            vectors.push_back(guess);
         std::unique_ptr<Adaptation::PointTransfer<dim>> transfer;
         if (points.are_moving())
           transfer =
