@@ -9,39 +9,14 @@
 // The two routines below are found before those of the library (so are all
 // symbols of an executable); they do the case of one column themselves and hand
 // everything else on.
+#include <riedel/blas/one_column.h>
+
 #include <cstring>
 
 #include <dlfcn.h>
 
 namespace
 {
-  using Gemm = void (*)(const char *,
-                        const char *,
-                        const int *,
-                        const int *,
-                        const int *,
-                        const double *,
-                        const double *,
-                        const int *,
-                        const double *,
-                        const int *,
-                        const double *,
-                        double *,
-                        const int *);
-  using Trsm = void (*)(const char *,
-                        const char *,
-                        const char *,
-                        const char *,
-                        const int *,
-                        const int *,
-                        const double *,
-                        const double *,
-                        const int *,
-                        double *,
-                        const int *);
-
-
-
   /// The routine of the library that this file's routine hides.
   template <class Routine>
   Routine
@@ -197,8 +172,6 @@ namespace
 
 extern "C"
 {
-  /// C = alpha op(A) op(B) + beta C; arguments as in BLAS (Dongarra et al.
-  /// 1990).
   void
   dgemm_(const char   *trans_a,
          const char   *trans_b,
@@ -214,7 +187,7 @@ extern "C"
          double       *c,
          const int    *ldc)
   {
-    static const Gemm library = of_library<Gemm>("dgemm_");
+    static const auto library = of_library<decltype(&dgemm_)>("dgemm_");
     if (*n != 1 || !is(trans_b, 'N'))
       return library(
         trans_a, trans_b, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc);
@@ -232,8 +205,6 @@ extern "C"
 
 
 
-  /// Solves op(A) X = alpha B or X op(A) = alpha B with a triangle A; arguments
-  /// as in BLAS (Dongarra et al. 1990).
   void
   dtrsm_(const char   *side,
          const char   *uplo,
@@ -247,7 +218,7 @@ extern "C"
          double       *b,
          const int    *ldb)
   {
-    static const Trsm library = of_library<Trsm>("dtrsm_");
+    static const auto library = of_library<decltype(&dtrsm_)>("dtrsm_");
     if (*n != 1 || !is(side, 'L') || *alpha != 1.0)
       return library(side, uplo, trans_a, diag, m, n, alpha, a, lda, b, ldb);
 

@@ -56,19 +56,15 @@ namespace Riedel::Equilibrium
 
 
 
-    /// Is it this rank, the first of those that say so? Collective; true on one
-    /// rank, or on none if no rank says so.
-    bool
-    is_first(const bool is_here, const MPI_Comm communicator, bool &is_anywhere)
+    /// The first of the ranks that say so; their number if none does.
+    /// Collective.
+    unsigned int
+    first_rank(const bool is_here, const MPI_Comm communicator)
     {
-      const unsigned int n =
-        dealii::Utilities::MPI::n_mpi_processes(communicator);
-      const unsigned int rank =
-        dealii::Utilities::MPI::this_mpi_process(communicator);
-      const unsigned int first =
-        dealii::Utilities::MPI::min(is_here ? rank : n, communicator);
-      is_anywhere = first < n;
-      return rank == first;
+      return dealii::Utilities::MPI::min(
+        is_here ? dealii::Utilities::MPI::this_mpi_process(communicator) :
+                  dealii::Utilities::MPI::n_mpi_processes(communicator),
+        communicator);
     }
   } // namespace
 
@@ -97,11 +93,10 @@ namespace Riedel::Equilibrium
     const auto [cell, unit] = find_cell(space.dof_handler(), x);
 
     // a place on a face between ranks counts once
-    bool       is_anywhere;
-    const bool is_mine = is_first(cell != space.dof_handler().end(),
-                                  space.communicator(),
-                                  is_anywhere);
-    if (!is_anywhere)
+    const MPI_Comm     communicator = space.communicator();
+    const unsigned int first =
+      first_rank(cell != space.dof_handler().end(), communicator);
+    if (first == dealii::Utilities::MPI::n_mpi_processes(communicator))
       {
         std::ostringstream text;
         text << "Loading/Opening/" << parameter << ": the place (" << x
@@ -110,7 +105,7 @@ namespace Riedel::Equilibrium
       }
 
     std::vector<double> shares(space.relevant().n_elements(), 0.0);
-    if (is_mine)
+    if (first == dealii::Utilities::MPI::this_mpi_process(communicator))
       {
         std::vector<dealii::types::global_dof_index> dofs(
           space.element().n_dofs_per_cell());
@@ -163,13 +158,12 @@ namespace Riedel::Equilibrium
     const MPI_Comm communicator = space.communicator();
     const double   everywhere =
       dealii::Utilities::MPI::min(closest, communicator);
-    bool       is_anywhere;
-    const bool is_mine =
-      is_first(closest <= everywhere * (1.0 + 1e-9), communicator, is_anywhere);
+    const unsigned int first =
+      first_rank(closest <= everywhere * (1.0 + 1e-9), communicator);
 
     double              moved = 0.0;
     std::vector<double> shares(space.relevant().n_elements(), 0.0);
-    if (is_mine)
+    if (first == dealii::Utilities::MPI::this_mpi_process(communicator))
       {
         moved = points.position(nearest)[component] -
                 points.initial_position(nearest)[component];

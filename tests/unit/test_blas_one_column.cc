@@ -1,41 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // source/blas/one_column.cc: one column must give what the library gives for
 // the same column beside another one.
+#include <riedel/blas/one_column.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
-
-extern "C"
-{
-  void
-  dgemm_(const char *,
-         const char *,
-         const int *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         const double *,
-         const int *,
-         const double *,
-         double *,
-         const int *);
-  void
-  dtrsm_(const char *,
-         const char *,
-         const char *,
-         const char *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         double *,
-         const int *);
-}
 
 namespace
 {
@@ -68,33 +41,20 @@ TEST_CASE("Products with one column are those of the library", "[blas]")
             auto         one = random_numbers(ld * 2), two = one;
             const auto   before = one;
 
-            const int n1 = 1, n2 = 2;
-            dgemm_(transposed,
-                   "N",
-                   &m,
-                   &n1,
-                   &k,
-                   &alpha,
-                   a.data(),
-                   &ld,
-                   b.data(),
-                   &ld,
-                   &beta,
-                   one.data(),
-                   &ld);
-            dgemm_(transposed,
-                   "N",
-                   &m,
-                   &n2,
-                   &k,
-                   &alpha,
-                   a.data(),
-                   &ld,
-                   b.data(),
-                   &ld,
-                   &beta,
-                   two.data(),
-                   &ld);
+            for (const auto &[n, c] : {std::make_pair(1, &one), {2, &two}})
+              dgemm_(transposed,
+                     "N",
+                     &m,
+                     &n,
+                     &k,
+                     &alpha,
+                     a.data(),
+                     &ld,
+                     b.data(),
+                     &ld,
+                     &beta,
+                     c->data(),
+                     &ld);
             for (int i = 0; i < 2 * ld; ++i)
               REQUIRE(one[i] ==
                       Approx(i < m ? two[i] : before[i]).margin(1e-14));
@@ -120,29 +80,18 @@ TEST_CASE("Triangles with one column are those of the library", "[blas]")
             auto       one = random_numbers(ld * 2), two = one;
             const auto before = one;
 
-            const int n1 = 1, n2 = 2;
-            dtrsm_("L",
-                   uplo,
-                   transposed,
-                   diagonal,
-                   &m,
-                   &n1,
-                   &alpha,
-                   a.data(),
-                   &ld,
-                   one.data(),
-                   &ld);
-            dtrsm_("L",
-                   uplo,
-                   transposed,
-                   diagonal,
-                   &m,
-                   &n2,
-                   &alpha,
-                   a.data(),
-                   &ld,
-                   two.data(),
-                   &ld);
+            for (const auto &[n, b] : {std::make_pair(1, &one), {2, &two}})
+              dtrsm_("L",
+                     uplo,
+                     transposed,
+                     diagonal,
+                     &m,
+                     &n,
+                     &alpha,
+                     a.data(),
+                     &ld,
+                     b->data(),
+                     &ld);
             for (int i = 0; i < 2 * ld; ++i)
               REQUIRE(one[i] ==
                       Approx(i < m ? two[i] : before[i]).margin(1e-13));
