@@ -140,24 +140,32 @@ namespace Riedel::Material
 
 
   template <bool micropolar>
+  template <typename Number>
   void
   Hypoplastic<micropolar>::respond_group(const Batch       &batch,
                                          const unsigned int first,
                                          Report            &report) const
   {
-    using Number                   = Continuum::Lanes<n_lanes>;
-    using Mask                     = Continuum::Mask<n_lanes>;
-    using Step                     = HypoplasticPoint<micropolar, Number>;
-    constexpr unsigned int n       = Step::n;
-    constexpr unsigned int n_state = Place::n;
+    using Value                         = Continuum::ValueOf<Number>;
+    using Mask                          = Continuum::Mask<n_lanes>;
+    using Step                          = HypoplasticPoint<micropolar, Number>;
+    constexpr bool         with_tangent = !std::is_same<Number, Value>::value;
+    constexpr unsigned int n            = Step::n;
+    constexpr unsigned int n_state      = Place::n;
 
     // where the batch ends inside the group, its last point fills the lanes
     const unsigned int n_points =
       std::min<unsigned int>(n_lanes, batch.n_points - first);
-    std::array<Number, n>       inputs;
-    std::array<Number, n_state> committed;
-    read_rows(batch.increments + first * n, n_points, inputs);
+    std::array<Value, n>       increments;
+    std::array<Value, n_state> committed;
+    read_rows(batch.increments + first * n, n_points, increments);
     read_rows(batch.committed + first * n_state, n_points, committed);
+    std::array<Number, n> inputs;
+    for (unsigned int i = 0; i < n; ++i)
+      if constexpr (with_tangent)
+        inputs[i] = Number::input(increments[i], i);
+      else
+        inputs[i] = increments[i];
 
     Step                       step(inputs);
     HypoplasticFlagsOf<Number> flags;
@@ -165,9 +173,9 @@ namespace Riedel::Material
     if (any(usual))
       {
         step.start(inputs, committed, parameters.constants.mean_grain_diameter);
-        usual =
-          usual && is_finite(step.sum_at_start()) &&
-          abs(step.loading.spin) < Continuum::Turn<Number>::largest_small_angle;
+        usual = usual && is_finite(step.sum_at_start()) &&
+                abs(Continuum::value_of(step.loading.spin)) <
+                  Continuum::Turn<Value>::largest_small_angle;
         usual =
           usual && step.integrator(parameters.constants, parameters.controls)
                      .integrate_at_once(step.y, step.substep_strain, flags);
@@ -182,13 +190,21 @@ namespace Riedel::Material
           for (unsigned int i = 0; i < n_state; ++i)
             batch.trial[p * n_state + i] = step.trial[i][lane];
           for (unsigned int i = 0; i < n; ++i)
-            batch.stresses[p * n + i] = step.generalised[i][lane];
+            batch.stresses[p * n + i] =
+              Continuum::value_of(step.generalised[i])[lane];
+          if constexpr (with_tangent)
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                batch.tangents[(p * n + i) * n + j] =
+                  step.generalised[i].derivatives[j][lane];
           report.clamped += flags.clamped[lane];
           report.null_deviator += flags.null_deviator[lane];
           ++report.substeps;
         }
       else
-        respond_point<double, false>(batch, first + lane, report);
+        respond_point<
+          std::conditional_t<with_tangent, Forward<micropolar ? 8 : 4>, double>,
+          false>(batch, first + lane, report);
   }
 
 
@@ -197,16 +213,16 @@ namespace Riedel::Material
   Report
   Hypoplastic<micropolar>::respond(const Batch &batch) const
   {
-    using WithTangent = Forward<micropolar ? 8 : 4>;
+    using Value       = Continuum::Lanes<n_lanes>;
+    using WithTangent = Forward<HypoplasticPoint<micropolar, Value>::n, Value>;
     Report report;
     if (batch.axis_3_strains != nullptr)
       return respond_across_plane(batch);
-    if (batch.tangents == nullptr)
-      for (unsigned int first = 0; first < batch.n_points; first += n_lanes)
-        respond_group(batch, first, report);
-    else
-      for (unsigned int p = 0; p < batch.n_points; ++p)
-        respond_point<WithTangent, false>(batch, p, report);
+    for (unsigned int first = 0; first < batch.n_points; first += n_lanes)
+      if (batch.tangents == nullptr)
+        respond_group<Value>(batch, first, report);
+      else
+        respond_group<WithTangent>(batch, first, report);
     return report;
   }
 

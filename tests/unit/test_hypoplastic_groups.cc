@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Stresses alone are computed for several points at once. A point's result
-// must not show who its neighbours were.
+// Several points are computed at once. A point's result must not show who its
+// neighbours were.
 
 #include <algorithm>
 #include <cmath>
@@ -47,9 +47,11 @@ namespace
            other.increments.begin() + (p + 1) * n});
     }
 
+    /// @param one_by_one by way of a strain of axis 3 that is zero
     void
-    respond(const bool with_tangent = false)
+    respond(const bool with_tangent = false, const bool one_by_one = false)
     {
+      const std::vector<double> no_strain(size, 0.);
       trial.assign(committed.size(), unwritten);
       stresses.assign(increments.size(), unwritten);
       tangents.assign(increments.size() * n, unwritten);
@@ -58,7 +60,8 @@ namespace
                             committed.data(),
                             trial.data(),
                             stresses.data(),
-                            with_tangent ? tangents.data() : nullptr});
+                            with_tangent ? tangents.data() : nullptr,
+                            one_by_one ? no_strain.data() : nullptr});
     }
 
     const Material::Law<2> &law;
@@ -153,14 +156,15 @@ namespace
 
 
 
-TEST_CASE("a point's stresses do not depend on its neighbours",
+TEST_CASE("a point's answer does not depend on its neighbours",
           "[unit][hypoplastic][groups]")
 {
+  const bool with_tangent = GENERATE(false, true);
   for (const std::string name : {"polar hypoplastic", "hypoplastic"})
     {
       const auto law   = make_law(name);
       Points     batch = mixed_points(*law, 1003);
-      batch.respond();
+      batch.respond(with_tangent);
 
       // every kind of point is there
       const Material::Report &report = batch.report;
@@ -176,7 +180,7 @@ TEST_CASE("a point's stresses do not depend on its neighbours",
         {
           Points single(*law);
           single.add(batch, p);
-          single.respond();
+          single.respond(with_tangent);
           if (single.report.refused > 0 && sum.refused == 0)
             {
               CHECK(report.first_refused == p);
@@ -187,12 +191,16 @@ TEST_CASE("a point's stresses do not depend on its neighbours",
           sum.clamped += single.report.clamped;
           sum.null_deviator += single.report.null_deviator;
           sum.substeps += single.report.substeps;
-          n_different += !std::equal(single.trial.begin(),
-                                     single.trial.end(),
-                                     batch.trial.begin() + p * batch.n_state) ||
-                         !std::equal(single.stresses.begin(),
-                                     single.stresses.end(),
-                                     batch.stresses.begin() + p * batch.n);
+          n_different +=
+            !std::equal(single.trial.begin(),
+                        single.trial.end(),
+                        batch.trial.begin() + p * batch.n_state) ||
+            !std::equal(single.stresses.begin(),
+                        single.stresses.end(),
+                        batch.stresses.begin() + p * batch.n) ||
+            !std::equal(single.tangents.begin(),
+                        single.tangents.end(),
+                        batch.tangents.begin() + p * batch.n * batch.n);
         }
       CHECK(n_different == 0);
       CHECK(sum.refused == report.refused);
@@ -208,7 +216,7 @@ TEST_CASE("a point's stresses do not depend on its neighbours",
       Points shuffled(*law);
       for (const unsigned int p : order)
         shuffled.add(batch, p);
-      shuffled.respond();
+      shuffled.respond(with_tangent);
       for (unsigned int q = 0; q < batch.size; ++q)
         n_different +=
           !std::equal(batch.trial.begin() + order[q] * batch.n_state,
@@ -267,4 +275,47 @@ TEST_CASE("stresses of groups are those of the tangent mode",
         // it follows from an error estimate, which may be mere rounding
         CHECK(worst_substep < 1e-5);
       }
+}
+
+
+
+TEST_CASE("tangents of groups are those of points one by one",
+          "[unit][hypoplastic][groups]")
+{
+  for (const std::string name : {"polar hypoplastic", "hypoplastic"})
+    {
+      const auto law    = make_law(name);
+      Points     groups = mixed_points(*law, 1003), points = groups;
+      groups.respond(true);
+      points.respond(true, true);
+      CHECK(groups.report.refused == points.report.refused);
+      CHECK(groups.report.substeps == points.report.substeps);
+
+      // components as of stresses: couple stresses divided by d_50, for
+      // curvatures times d_50; relative to the point's largest
+      double       worst     = 0.;
+      unsigned int n_resting = 0;
+      for (unsigned int p = 0; p < groups.size; ++p)
+        {
+          const unsigned int n = groups.n, begin = p * n * n;
+          double             scale = 0., difference = 0.;
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              {
+                const double unit = (i < 5 ? 1. : d_50) * (j < 5 ? 1. : d_50);
+                const double a    = groups.tangents[begin + i * n + j] / unit;
+                const double b    = points.tangents[begin + i * n + j] / unit;
+                scale             = std::max(scale, std::abs(b));
+                difference        = std::max(difference, std::abs(a - b));
+                CHECK(std::isfinite(a));
+              }
+          worst = std::max(worst, difference / scale);
+          n_resting += std::all_of(groups.increments.begin() + p * n,
+                                   groups.increments.begin() + (p + 1) * n,
+                                   [](const double x) { return x == 0.; });
+        }
+      INFO(name);
+      CHECK(worst < 1e-11);
+      CHECK(n_resting > 10);
+    }
 }

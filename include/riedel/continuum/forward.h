@@ -6,12 +6,34 @@
 
 namespace Riedel::Continuum
 {
-  /**
-   * n doubles as vectors of the compiler's own, as long as the processor has
-   * them: GCC handles longer ones poorly. n is a multiple of 4.
-   */
+  /// How the n derivatives of a number of several points (Lanes) are stored:
+  /// each as such a number.
+  template <int n, typename Value>
+  struct DerivativeStore
+  {
+    using Piece                   = Value;
+    static constexpr int n_pieces = n;
+
+    template <typename Pieces>
+    static Value
+    get(const Pieces &pieces, const unsigned int i)
+    {
+      return pieces[i];
+    }
+
+    template <typename Pieces>
+    static void
+    set(Pieces &pieces, const unsigned int i, const Value &value)
+    {
+      pieces[i] = value;
+    }
+  };
+
+  /// Those of one point: n doubles as vectors of the compiler's own, as long as
+  /// the processor has them: GCC handles longer ones poorly. n is a multiple of
+  /// 4.
   template <int n>
-  class DerivativeVector
+  struct DerivativeStore<n, double>
   {
     static constexpr int n_each =
 #if defined(__AVX512F__)
@@ -21,31 +43,52 @@ namespace Riedel::Continuum
 #else
       2;
 #endif
-    static constexpr int n_pieces = n / n_each;
     typedef double Piece __attribute__((vector_size(n_each * sizeof(double))));
+    static constexpr int n_pieces = n / n_each;
 
-    Piece pieces[n_pieces];
+    template <typename Pieces>
+    static double
+    get(const Pieces &pieces, const unsigned int i)
+    {
+      return pieces[i / n_each][i % n_each];
+    }
+
+    template <typename Pieces>
+    static void
+    set(Pieces &pieces, const unsigned int i, const double value)
+    {
+      pieces[i / n_each][i % n_each] = value;
+    }
+  };
+
+
+
+  /// The derivatives of a number with respect to n inputs.
+  template <int n, typename Value = double>
+  class DerivativeVector
+  {
+    using Store                   = DerivativeStore<n, Value>;
+    static constexpr int n_pieces = Store::n_pieces;
+
+    typename Store::Piece pieces[n_pieces];
 
   public:
     static DerivativeVector
     zero()
     {
-      DerivativeVector result;
-      for (Piece &piece : result.pieces)
-        piece = Piece{};
-      return result;
+      return pieces_of([](int) { return typename Store::Piece{}; });
     }
 
-    double
+    Value
     operator[](const unsigned int i) const
     {
-      return pieces[i / n_each][i % n_each];
+      return Store::get(pieces, i);
     }
 
     void
-    set(const unsigned int i, const double value)
+    set(const unsigned int i, const Value &value)
     {
-      pieces[i / n_each][i % n_each] = value;
+      Store::set(pieces, i, value);
     }
 
     DerivativeVector &
@@ -57,43 +100,50 @@ namespace Riedel::Continuum
     friend DerivativeVector
     operator+(const DerivativeVector &a, const DerivativeVector &b)
     {
-      DerivativeVector result;
-      for (int i = 0; i < n_pieces; ++i)
-        result.pieces[i] = a.pieces[i] + b.pieces[i];
-      return result;
+      return pieces_of([&](int i) { return a.pieces[i] + b.pieces[i]; });
     }
 
     friend DerivativeVector
     operator-(const DerivativeVector &a, const DerivativeVector &b)
     {
-      DerivativeVector result;
-      for (int i = 0; i < n_pieces; ++i)
-        result.pieces[i] = a.pieces[i] - b.pieces[i];
-      return result;
+      return pieces_of([&](int i) { return a.pieces[i] - b.pieces[i]; });
     }
 
     friend DerivativeVector
     operator-(const DerivativeVector &a)
     {
-      DerivativeVector result;
-      for (int i = 0; i < n_pieces; ++i)
-        result.pieces[i] = -a.pieces[i];
-      return result;
+      return pieces_of([&](int i) { return -a.pieces[i]; });
     }
 
     friend DerivativeVector
-    operator*(const DerivativeVector &a, const double factor)
+    operator*(const DerivativeVector &a, const Value &factor)
     {
-      DerivativeVector result;
-      for (int i = 0; i < n_pieces; ++i)
-        result.pieces[i] = a.pieces[i] * factor;
-      return result;
+      return pieces_of([&](int i) { return a.pieces[i] * factor; });
     }
 
+    /// a factor_a + b factor_b, in one pass
     friend DerivativeVector
-    operator*(const double factor, const DerivativeVector &a)
+    weighted_sum(const DerivativeVector &a,
+                 const Value            &factor_a,
+                 const DerivativeVector &b,
+                 const Value            &factor_b)
     {
-      return a * factor;
+      return pieces_of(
+        [&](int i) { return a.pieces[i] * factor_a + b.pieces[i] * factor_b; });
+    }
+
+  private:
+    /// Unrolled, so that the compiler can keep pieces in registers: of its own
+    /// accord it does not for 7 of them, which takes half as long again.
+    template <typename Function>
+    static DerivativeVector
+    pieces_of(const Function &function)
+    {
+      DerivativeVector result;
+#pragma GCC unroll 8
+      for (int i = 0; i < n_pieces; ++i)
+        result.pieces[i] = function(i);
+      return result;
     }
   };
 
@@ -101,34 +151,42 @@ namespace Riedel::Continuum
 
   /**
    * A number that carries its derivatives with respect to n inputs (forward
-   * mode differentiation). Every operation on the derivatives is a handful of
-   * vector instructions: n is 8 for the 7 increments of a micropolar continuum
-   * in plane strain and 4 for those of a classical one.
+   * mode differentiation). Value is double for one point: every operation on
+   * the derivatives is then a handful of vector instructions; n is 8 for the 7
+   * increments of a micropolar continuum in plane strain and 4 for those of a
+   * classical one. Or it is Lanes for several points at once, and n is the
+   * number of inputs.
    *
    * There are no comparisons on purpose: decisions are made on value_of().
    */
-  template <int n>
+  template <int n, typename Value = double>
   struct Forward
   {
-    double              value;
-    DerivativeVector<n> derivatives;
+    Value                      value;
+    DerivativeVector<n, Value> derivatives;
+
+    /// What an operation takes for a number without derivatives.
+    template <typename Constant>
+    using IfConstant = std::enable_if_t<std::is_same<Constant, Value>::value ||
+                                        std::is_arithmetic<Constant>::value>;
 
     Forward() = default;
 
     /// A constant. Implicit, because constants mix freely with numbers.
-    Forward(const double value)
+    template <typename Constant, typename = IfConstant<Constant>>
+    Forward(const Constant &value)
       : value(value)
-      , derivatives(DerivativeVector<n>::zero())
+      , derivatives(DerivativeVector<n, Value>::zero())
     {}
 
-    Forward(const double value, const DerivativeVector<n> &derivatives)
+    Forward(const Value &value, const DerivativeVector<n, Value> &derivatives)
       : value(value)
       , derivatives(derivatives)
     {}
 
     /// The input number @p place at the value @p value.
     static Forward
-    input(const double value, const unsigned int place)
+    input(const Value &value, const unsigned int place)
     {
       Forward result(value);
       result.derivatives.set(place, 1.);
@@ -155,14 +213,16 @@ namespace Riedel::Continuum
       return {a.value + b.value, a.derivatives + b.derivatives};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator+(const Forward &a, const double b)
+    operator+(const Forward &a, const Constant &b)
     {
       return {a.value + b, a.derivatives};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator+(const double a, const Forward &b)
+    operator+(const Constant &a, const Forward &b)
     {
       return {a + b.value, b.derivatives};
     }
@@ -173,14 +233,16 @@ namespace Riedel::Continuum
       return {a.value - b.value, a.derivatives - b.derivatives};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator-(const Forward &a, const double b)
+    operator-(const Forward &a, const Constant &b)
     {
       return {a.value - b, a.derivatives};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator-(const double a, const Forward &b)
+    operator-(const Constant &a, const Forward &b)
     {
       return {a - b.value, -b.derivatives};
     }
@@ -189,40 +251,46 @@ namespace Riedel::Continuum
     operator*(const Forward &a, const Forward &b)
     {
       return {a.value * b.value,
-              a.derivatives * b.value + b.derivatives * a.value};
+              weighted_sum(a.derivatives, b.value, b.derivatives, a.value)};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator*(const Forward &a, const double b)
+    operator*(const Forward &a, const Constant &b)
     {
       return {a.value * b, a.derivatives * b};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator*(const double a, const Forward &b)
+    operator*(const Constant &a, const Forward &b)
     {
-      return {a * b.value, a * b.derivatives};
+      return {a * b.value, b.derivatives * a};
     }
 
     friend Forward
     operator/(const Forward &a, const Forward &b)
     {
-      const double inverse  = 1. / b.value;
-      const double quotient = a.value * inverse;
-      return {quotient, (a.derivatives - b.derivatives * quotient) * inverse};
+      const Value inverse  = 1. / b.value;
+      const Value quotient = a.value * inverse;
+      return {quotient,
+              weighted_sum(
+                a.derivatives, inverse, b.derivatives, -(quotient * inverse))};
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator/(const Forward &a, const double b)
+    operator/(const Forward &a, const Constant &b)
     {
-      return a * (1. / b);
+      return a * Value(1. / b);
     }
 
+    template <typename Constant, typename = IfConstant<Constant>>
     friend Forward
-    operator/(const double a, const Forward &b)
+    operator/(const Constant &a, const Forward &b)
     {
-      const double inverse  = 1. / b.value;
-      const double quotient = a * inverse;
+      const Value inverse  = 1. / b.value;
+      const Value quotient = a * inverse;
       return {quotient, b.derivatives * (-quotient * inverse)};
     }
   };
@@ -234,9 +302,9 @@ namespace Riedel::Continuum
     return x;
   }
 
-  template <int n>
-  double
-  value_of(const Forward<n> &x)
+  template <int n, typename Value>
+  Value
+  value_of(const Forward<n, Value> &x)
   {
     return x.value;
   }
@@ -262,9 +330,9 @@ namespace Riedel::Continuum
     return value;
   }
 
-  template <int n>
-  Forward<n>
-  chain_rule(const Forward<n> &x, const double value, const double slope)
+  template <int n, typename Value>
+  Forward<n, Value>
+  chain_rule(const Forward<n, Value> &x, const Value &value, const Value &slope)
   {
     return {value, x.derivatives * slope};
   }
@@ -277,62 +345,67 @@ namespace Riedel::Continuum
     return 0.;
   }
 
-  template <int n>
-  Forward<n>
-  only_derivatives(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  only_derivatives(const Forward<n, Value> &x)
   {
-    return {0., x.derivatives};
+    return {Value(0.), x.derivatives};
   }
 
-  template <int n>
-  Forward<n>
-  sqrt(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  sqrt(const Forward<n, Value> &x)
   {
-    const double root = std::sqrt(x.value);
-    return chain_rule(x, root, .5 / root);
+    using std::sqrt;
+    const Value root = sqrt(x.value);
+    return chain_rule(x, root, Value(.5 / root));
   }
 
-  template <int n>
-  Forward<n>
-  pow(const Forward<n> &x, const double exponent)
+  template <int n, typename Value>
+  Forward<n, Value>
+  pow(const Forward<n, Value> &x, const double exponent)
   {
-    const double power = std::pow(x.value, exponent);
-    return chain_rule(x, power, exponent * power / x.value);
+    using std::pow;
+    const Value power = pow(x.value, exponent);
+    return chain_rule(x, power, Value(exponent * power / x.value));
   }
 
-  template <int n>
-  Forward<n>
-  exp(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  exp(const Forward<n, Value> &x)
   {
-    const double exponential = std::exp(x.value);
+    using std::exp;
+    const Value exponential = exp(x.value);
     return chain_rule(x, exponential, exponential);
   }
 
-  template <int n>
-  Forward<n>
-  log(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  log(const Forward<n, Value> &x)
   {
-    return chain_rule(x, std::log(x.value), 1. / x.value);
+    using std::log;
+    return chain_rule(x, log(x.value), Value(1. / x.value));
   }
 
   /// log(1 + x), exact for small x
-  template <int n>
-  Forward<n>
-  log1p(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  log1p(const Forward<n, Value> &x)
   {
-    return chain_rule(x, std::log1p(x.value), 1. / (1. + x.value));
+    using std::log1p;
+    return chain_rule(x, log1p(x.value), Value(1. / (1. + x.value)));
   }
 
-  template <int n>
-  Forward<n>
-  sin(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  sin(const Forward<n, Value> &x)
   {
     return chain_rule(x, std::sin(x.value), std::cos(x.value));
   }
 
-  template <int n>
-  Forward<n>
-  cos(const Forward<n> &x)
+  template <int n, typename Value>
+  Forward<n, Value>
+  cos(const Forward<n, Value> &x)
   {
     return chain_rule(x, std::cos(x.value), -std::sin(x.value));
   }

@@ -338,6 +338,10 @@ namespace Riedel::Continuum
   struct IsLanes<Lanes<n>> : std::true_type
   {};
 
+  template <int n_derivatives, int n>
+  struct IsLanes<Forward<n_derivatives, Lanes<n>>> : std::true_type
+  {};
+
   template <int n>
   Lanes<n>
   value_of(const Lanes<n> &x)
@@ -414,6 +418,20 @@ namespace Riedel::Continuum
     return reinterpret_cast<Doubles>(
       (mask.bits & reinterpret_cast<Bits>(if_true.values)) |
       (~mask.bits & reinterpret_cast<Bits>(if_false.values)));
+  }
+
+  template <int n_derivatives, int n>
+  Forward<n_derivatives, Lanes<n>>
+  select(const Mask<n>                          &mask,
+         const Forward<n_derivatives, Lanes<n>> &if_true,
+         const Forward<n_derivatives, Lanes<n>> &if_false)
+  {
+    Forward<n_derivatives, Lanes<n>> result;
+    result.value = select(mask, if_true.value, if_false.value);
+    for (int i = 0; i < n_derivatives; ++i)
+      result.derivatives.set(
+        i, select(mask, if_true.derivatives[i], if_false.derivatives[i]));
+    return result;
   }
 
   /// as std::max: the first where one is not a number

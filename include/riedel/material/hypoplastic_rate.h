@@ -207,14 +207,19 @@ namespace Riedel::Material
   typename Stretching::value_type
   stretching_length(const Stretching &d)
   {
-    using Continuum::all;
+    using Continuum::chain_rule;
+    using Continuum::select;
     using std::sqrt;
-    typename Stretching::value_type square = d[0] * d[0];
+    using Number  = typename Stretching::value_type;
+    using Value   = Continuum::ValueOf<Number>;
+    Number square = d[0] * d[0];
     for (unsigned int i = 1; i < d.size(); ++i)
       square += d[i] * d[i];
-    if (all(Continuum::value_of(square) == 0.))
-      return typename Stretching::value_type(0.);
-    return sqrt(square);
+    const Value length = sqrt(Continuum::value_of(square));
+    const auto  rests  = length == Value(0.);
+    const Value slope =
+      select(rests, Value(0.), Value(.5 / select(rests, Value(1.), length)));
+    return chain_rule(square, length, slope);
   }
 
 
@@ -230,29 +235,32 @@ namespace Riedel::Material
    *
    * @param d stretching; without axis_3, d^c_33 = 0
    * @param r its length, stretching_length(d)
+   * @tparam State Number, or ValueOf<Number> for a state without derivatives
    */
-  template <bool micropolar, typename Number, bool axis_3 = false>
+  template <bool micropolar,
+            typename Number,
+            bool axis_3    = false,
+            typename State = Number>
   HypoplasticStress<micropolar, Number>
-  hypoplastic_rate(const HypoplasticConstants                  &constants,
-                   const HypoplasticStress<micropolar, Number> &stress,
-                   const Number                                &void_ratio,
+  hypoplastic_rate(const HypoplasticConstants                 &constants,
+                   const HypoplasticStress<micropolar, State> &stress,
+                   const State                                &void_ratio,
                    const HypoplasticStretching<micropolar, Number, axis_3> &d,
                    const Number                                            &r,
                    HypoplasticFlagsOf<Number> &flags)
   {
-    const Number trace   = stress[0] + stress[1] + stress[2];
-    const Number inverse = 1. / trace;
+    const State trace   = stress[0] + stress[1] + stress[2];
+    const State inverse = 1. / trace;
 
-    HypoplasticStress<micropolar, Number> s;
+    HypoplasticStress<micropolar, State> s;
     for (unsigned int i = 0; i < s.size(); ++i)
       s[i] = stress[i] * inverse;
 
-    const Number deviator_33 = s[2] - 1. / 3.;
-    const Number determinant =
-      (s[0] - 1. / 3.) * (s[1] - 1. / 3.) - s[3] * s[4];
-    const HypoplasticFactors<Number> factors(
+    const State deviator_33 = s[2] - 1. / 3.;
+    const State determinant = (s[0] - 1. / 3.) * (s[1] - 1. / 3.) - s[3] * s[4];
+    const HypoplasticFactors<State> factors(
       constants, trace, deviator_33, determinant, void_ratio, flags);
-    const Number &a_1 = factors.a_1;
+    const State &a_1 = factors.a_1;
 
     Number power = s[0] * d[0] + s[1] * d[1] + s[3] * d[2] + s[4] * d[3];
     if constexpr (micropolar)
@@ -262,8 +270,8 @@ namespace Riedel::Material
 
     const Number fd_r         = factors.f_d * r;
     const Number nonlinear    = fd_r * a_1;
-    const Number a_1_square   = a_1 * a_1;
-    const Number linear       = factors.f_s * a_1_square;
+    const State  a_1_square   = a_1 * a_1;
+    const State  linear       = factors.f_s * a_1_square;
     const Number along_stress = factors.f_s * (power + 2. * nonlinear);
     const Number isotropic    = factors.f_s * nonlinear * (1. / 3.);
 

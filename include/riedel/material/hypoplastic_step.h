@@ -186,6 +186,8 @@ namespace Riedel::Material
       const auto   loading_values     = loading.values();
       const Value &strain             = loading_values.length;
       const Value  initial_void_ratio = initial_volume - 1.;
+      // the state at the start has no derivatives
+      const auto begin = values_of(y);
 
       Condition usual =
         substep_strain >= strain && is_compressive(y) &&
@@ -195,18 +197,18 @@ namespace Riedel::Material
         return usual;
 
       const Stress rate_begin =
-        hypoplastic_rate<micropolar, Number, axis_3>(constants,
-                                                     y,
-                                                     initial_void_ratio,
-                                                     loading.at(0.),
-                                                     loading.length,
-                                                     flags);
+        hypoplastic_rate<micropolar, Number, axis_3, Value>(constants,
+                                                            begin,
+                                                            initial_void_ratio,
+                                                            loading.at(0.),
+                                                            loading.length,
+                                                            flags);
       HypoplasticSubstep<micropolar, Number, axis_3> substep;
       const std::array<Number, 3> volumes = stage_volumes(initial_volume, 1.);
       const Condition             compressive = substep.attempt(constants,
                                                     controls.floor_pressure,
                                                     {0., 1.},
-                                                    y,
+                                                    begin,
                                                     rate_begin,
                                                     volumes,
                                                     loading,
@@ -218,7 +220,8 @@ namespace Riedel::Material
       const Value error = substep.error / controls.substep_tolerance;
       y                 = substep.end;
       usual             = usual && error <= 1. &&
-              mean_pressure(y) >= controls.smallest_pressure(volumes[2] - 1.);
+              mean_pressure(y) >= controls.smallest_pressure(
+                                    Continuum::value_of(volumes[2]) - 1.);
 
       const Value largest(HypoplasticControls::largest_substep_strain);
       if (Continuum::any(substep_strain < largest))
@@ -238,8 +241,9 @@ namespace Riedel::Material
     static constexpr double floor_tolerance = 1e-9;
 
     /// 1 + e at 1/2, 3/4 and the end of a substep, with one exponential
+    template <typename Begin>
     std::array<Number, 3>
-    stage_volumes(const Number &begin, const double length) const
+    stage_volumes(const Begin &begin, const double length) const
     {
       using std::exp;
       const Number growth      = exp(log_j * (.25 * length));

@@ -43,12 +43,14 @@ namespace Riedel::Material
      * a stage or the end is in tension.
      *
      * @param volumes 1 + e at 1/2, 3/4 and the end of the substep
+     * @tparam Begin Stress, or StressValues at the start of a step
      */
+    template <typename Begin>
     Condition
     attempt(const HypoplasticConstants  &constants,
             const double                 floor_pressure,
             const Interval              &interval,
-            const Stress                &begin,
+            const Begin                 &begin,
             const Stress                &rate_begin,
             const std::array<Number, 3> &volumes,
             const Loading               &loading,

@@ -24,9 +24,9 @@ namespace Riedel::Material
    * is exact in any number of steps and 1 + e is proportional to volume. The
    * tangent is the derivative of the sequence of substeps that was accepted.
    *
-   * Stresses without tangents are computed for several points at once
-   * (Continuum::Lanes), as long as one substep spans the step; a point's result
-   * does not depend on which points these are.
+   * Several points are computed at once (Continuum::Lanes), as long as one
+   * substep spans the step; a point's result does not depend on which points
+   * these are.
    *
    * State: stress [Pa], couple_stress [N/m] (micropolar only), void_ratio,
    * substep (strain that one substep resolves; where a step starts).
@@ -125,8 +125,10 @@ namespace Riedel::Material
     Report
     respond_across_plane(const Batch &batch) const;
 
-    /// The stresses of the points from @p first on, as many as there are
-    /// lanes: those in the usual case at once, the others one by one.
+    /// The stresses, and tangents if Number has derivatives, of the points from
+    /// @p first on, as many as there are lanes: those in the usual case at
+    /// once, the others one by one.
+    template <typename Number>
     void
     respond_group(const Batch       &batch,
                   const unsigned int first,
