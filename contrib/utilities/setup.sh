@@ -6,7 +6,7 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 packages=(g++ cmake ninja-build libdeal.ii-dev libopenblas0-serial openmpi-bin
-          libcli11-dev catch2 python3-matplotlib python3-h5py)
+          libcli11-dev catch2 libbenchmark-dev python3-matplotlib python3-h5py)
 
 # Ranks are the only parallelism, and root may start them.
 export OPENBLAS_NUM_THREADS=1

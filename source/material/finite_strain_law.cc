@@ -527,6 +527,10 @@ namespace Riedel::Material
     // compare, one changes only the law.
     const std::string ignored =
       micropolar ? "" : " The classical law ignores it.";
+    const std::string measures =
+      micropolar ? "" :
+                   " The classical law takes from it no stress, only the "
+                   "length L in which bands are measured and grids refined.";
     prm.declare_entry("Couple modulus",
                       "0",
                       Double(),
@@ -539,7 +543,7 @@ namespace Riedel::Material
                       Double(),
                       "Modulus gamma of the couple stress: m_i = gamma w,i in "
                       "plane strain for small strains. N." +
-                        ignored,
+                        measures,
                       micropolar);
     prm.declare_entry("Curvature modulus beta",
                       "0",
@@ -566,13 +570,16 @@ namespace Riedel::Material
     elasticity        = NeoHookeanElasticity();
     elasticity.lambda = prm.get_double("Lame modulus");
     elasticity.mu     = prm.get_double("Shear modulus");
+    NeoHookeanElasticity polar = elasticity;
+    polar.kappa                = 2. * prm.get_double("Couple modulus");
+    polar.gamma                = prm.get_double("Bending modulus");
+    polar.beta                 = prm.get_double("Curvature modulus beta");
+    polar.alpha                = prm.get_double("Curvature modulus alpha");
+    // what check() refuses is no length
+    const double length = polar.length();
+    length_of_bands     = std::isfinite(length) ? length : 0.;
     if (micropolar)
-      {
-        elasticity.kappa = 2. * prm.get_double("Couple modulus");
-        elasticity.gamma = prm.get_double("Bending modulus");
-        elasticity.beta  = prm.get_double("Curvature modulus beta");
-        elasticity.alpha = prm.get_double("Curvature modulus alpha");
-      }
+      elasticity = polar;
   }
 
 

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Microseconds per material point of every law, for stresses alone and with
-// the tangent: random admissible states, increments as in a finite element
-// step, median of repeats. "turned": the increment is in a new direction, so
-// that the response bends strongly within the step; "continued": the same
-// isochoric increment has been taken ten times before; "yielding": the share of
-// points on the yield surface.
+// Time per material point of every law: for one point alone, as a law without
+// batches would have it, and in batches, for stresses alone and with the
+// tangent. Random admissible states, increments as in a finite element step.
+// "turned": the increment is in a new direction, so that the response bends
+// strongly within the step; "continued": the same isochoric increment has been
+// taken ten times before. Counters: time per point, substeps per point, share
+// of points on the yield surface.
 
 #include <riedel/continuum/generalised.h>
 #include <riedel/material/law.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
+#include <memory>
 #include <random>
+#include <string>
 #include <vector>
+
+#include <benchmark/benchmark.h>
 
 namespace
 {
@@ -70,109 +72,148 @@ namespace
     return law;
   }
 
+
+
+  /// A law with points and what they are asked.
+  template <int dim>
+  struct Points
+  {
+    using Order = Riedel::Continuum::Generalised<dim>;
+
+    static constexpr unsigned int size = 2000;
+
+    std::unique_ptr<Law<dim>> law;
+    unsigned int              n;
+    unsigned int              n_state;
+    std::vector<double>       increments, committed, trial, stresses, tangents;
+
+    Points(const std::string &name, const bool continued, const double strain)
+      : law(make_law<dim>(name))
+      , n(law->n_generalised())
+      , n_state(law->layout().size())
+      , increments(size * n)
+      , committed(size * n_state)
+      , trial(committed.size())
+      , stresses(increments.size())
+      , tangents(increments.size() * n)
+    {
+      std::mt19937                     generator(1);
+      std::uniform_real_distribution<> distribution(-1., 1.);
+      const auto uniform = [&]() { return distribution(generator); };
+      for (unsigned int p = 0; p < size; ++p)
+        {
+          const double                   pressure = 2e5 + 1e5 * uniform();
+          Riedel::Material::InitialState initial;
+          for (unsigned int i = 0; i < 3; ++i)
+            initial.stress[i][i] = -pressure * (1. + .3 * uniform());
+          initial.stress[0][1] = .2 * pressure * uniform();
+          initial.void_ratio   = .7 + .12 * uniform();
+          law->initialise(initial, committed.data() + p * n_state);
+          double *increment = increments.data() + p * n;
+          for (unsigned int i = 0; i < n; ++i)
+            increment[i] =
+              (i < Order::spin(0) + Order::n_spin ? strain :
+                                                    strain / .5e-3 * .2) *
+              uniform();
+          if (continued)
+            for (unsigned int d = 1; d < dim; ++d)
+              increment[Order::gradient(d, d)] = d == 1 ? -increment[0] : 0.;
+        }
+      for (unsigned int step = 0; continued && step < 10; ++step)
+        {
+          respond(0, size, false);
+          committed = trial;
+        }
+    }
+
+    Report
+    respond(const unsigned int first,
+            const unsigned int n_points,
+            const bool         with_tangent)
+    {
+      return law->respond(
+        {n_points,
+         increments.data() + first * n,
+         committed.data() + first * n_state,
+         trial.data() + first * n_state,
+         stresses.data() + first * n,
+         with_tangent ? tangents.data() + first * n * n : nullptr});
+    }
+  };
+
+
+
+  enum class Asked
+  {
+    value_alone,
+    value,
+    tangent
+  };
+
   template <int dim>
   void
-  measure_laws()
+  measure(benchmark::State  &state,
+          const std::string &name,
+          const bool         continued,
+          const double       strain,
+          const Asked        asked)
   {
-    using Order                      = Riedel::Continuum::Generalised<dim>;
-    constexpr unsigned int n_points  = 2000;
-    constexpr unsigned int n_repeats = 51;
+    Points<dim>            points(name, continued, strain);
+    constexpr unsigned int n_points = Points<dim>::size;
+    Report                 report;
+    for (auto _ : state)
+      {
+        report = Report();
+        if (asked == Asked::value_alone)
+          for (unsigned int p = 0; p < n_points; ++p)
+            {
+              const Report one = points.respond(p, 1, false);
+              report.substeps += one.substeps;
+              report.yielding += one.yielding;
+            }
+        else
+          report = points.respond(0, n_points, asked == Asked::tangent);
+      }
+    using benchmark::Counter;
+    state.counters["per_point"] =
+      Counter(n_points, Counter::kIsIterationInvariantRate | Counter::kInvert);
+    state.counters["substeps"] = double(report.substeps) / n_points;
+    state.counters["yielding"] = double(report.yielding) / n_points;
+  }
 
-    std::printf("%s\n", dim == 2 ? "plane strain" : "space");
-    std::printf("%-26s %-10s %9s %12s %12s %10s %10s\n",
-                "law",
-                "loading",
-                "increment",
-                "value [us]",
-                "tangent [us]",
-                "substeps",
-                "yielding");
+
+
+  template <int dim>
+  void
+  register_laws()
+  {
     for (const std::string &name : Riedel::Material::known_laws<dim>())
       for (const bool continued : {false, true})
-        for (const double size : {1e-4, 3e-4, 1e-3})
-          {
-            const std::unique_ptr<Law<dim>> law     = make_law<dim>(name);
-            const unsigned int              n       = law->n_generalised();
-            const unsigned int              n_state = law->layout().size();
-
-            std::mt19937                     generator(1);
-            std::uniform_real_distribution<> uniform(-1., 1.);
-            std::vector<double>              increments(n_points * n);
-            std::vector<double>              committed(n_points * n_state);
-            std::vector<double>              trial(committed.size());
-            std::vector<double>              stresses(increments.size());
-            std::vector<double>              tangents(increments.size() * n);
-            for (unsigned int p = 0; p < n_points; ++p)
-              {
-                const double pressure = 2e5 + 1e5 * uniform(generator);
-                Riedel::Material::InitialState initial;
-                for (unsigned int i = 0; i < 3; ++i)
-                  initial.stress[i][i] =
-                    -pressure * (1. + .3 * uniform(generator));
-                initial.stress[0][1] = .2 * pressure * uniform(generator);
-                initial.void_ratio   = .7 + .12 * uniform(generator);
-                law->initialise(initial, committed.data() + p * n_state);
-                for (unsigned int i = 0; i < n; ++i)
-                  increments[p * n + i] =
-                    (i < Order::spin(0) + Order::n_spin ? size :
-                                                          size / .5e-3 * .2) *
-                    uniform(generator);
-                if (continued)
-                  for (unsigned int d = 1; d < dim; ++d)
-                    increments[p * n + Order::gradient(d, d)] =
-                      d == 1 ? -increments[p * n] : 0.;
-              }
-            for (unsigned int step = 0; continued && step < 10; ++step)
-              {
-                law->respond({n_points,
-                              increments.data(),
-                              committed.data(),
-                              trial.data(),
-                              stresses.data(),
-                              nullptr});
-                committed = trial;
-              }
-
-            const auto measure = [&](double *tangent_store) {
-              const Batch         batch{n_points,
-                                increments.data(),
-                                committed.data(),
-                                trial.data(),
-                                stresses.data(),
-                                tangent_store};
-              std::vector<double> times;
-              Report              report;
-              for (unsigned int r = 0; r < n_repeats; ++r)
-                {
-                  const auto begin = std::chrono::steady_clock::now();
-                  report           = law->respond(batch);
-                  const auto end   = std::chrono::steady_clock::now();
-                  times.push_back(
-                    std::chrono::duration<double, std::micro>(end - begin)
-                      .count());
-                }
-              std::nth_element(times.begin(),
-                               times.begin() + n_repeats / 2,
-                               times.end());
-              return std::make_pair(times[n_repeats / 2] / n_points, report);
-            };
-            const auto value   = measure(nullptr);
-            const auto tangent = measure(tangents.data());
-            std::printf("%-26s %-10s %9.0e %12.3f %12.3f %10.2f %10.2f\n",
-                        name.c_str(),
-                        continued ? "continued" : "turned",
-                        size,
-                        value.first,
-                        tangent.first,
-                        double(value.second.substeps) / n_points,
-                        double(value.second.yielding) / n_points);
-          }
+        for (const std::string strain : {"1e-4", "3e-4", "1e-3"})
+          for (const auto &[what, asked] :
+               {std::make_pair("value alone", Asked::value_alone),
+                std::make_pair("value", Asked::value),
+                std::make_pair("tangent", Asked::tangent)})
+            benchmark::RegisterBenchmark(
+              ((dim == 2 ? "plane strain/" : "space/") + name +
+               (continued ? "/continued/" : "/turned/") + strain + "/" + what)
+                .c_str(),
+              &measure<dim>,
+              name,
+              continued,
+              std::stod(strain),
+              asked)
+              ->Unit(benchmark::kMicrosecond);
   }
 } // namespace
 
 int
-main()
+main(int argc, char **argv)
 {
-  measure_laws<2>();
-  measure_laws<3>();
+  register_laws<2>();
+  register_laws<3>();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 2;
+  benchmark::RunSpecifiedBenchmarks();
 }

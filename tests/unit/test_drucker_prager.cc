@@ -492,3 +492,21 @@ TEST_CASE("rules of the plastic constants", "[unit][drucker_prager]")
   CHECK(outside.errors[0].message.find("outside the yield surface") !=
         std::string::npos);
 }
+
+
+
+TEST_CASE("a classical law has no length, but one to measure bands by",
+          "[unit][drucker_prager]")
+{
+  for (const auto &[name, length] :
+       {std::make_pair("Drucker-Prager micropolar", .01),
+        std::make_pair("Drucker-Prager", 0.)})
+    {
+      const auto law = make_law(name, soil);
+      CHECK(law->length() == Approx(length).epsilon(1e-14));
+      CHECK(law->grain_size() == Approx(.01).epsilon(1e-14));
+      const auto unbent =
+        make_law(name, with(soil, {{"Bending modulus", "0"}}));
+      CHECK(unbent->grain_size() == 0.);
+    }
+}

@@ -51,6 +51,14 @@ namespace Riedel::Material
       return micropolar ? elasticity.length() : 0.;
     }
 
+    /// L [m], also of a classical law that was given moduli of curvature: its
+    /// stresses do not know it
+    double
+    grain_size() const override
+    {
+      return length_of_bands;
+    }
+
     /// 2 mu [Pa], whatever the state
     double
     stiffness(const double * /*state*/) const override
@@ -124,6 +132,7 @@ namespace Riedel::Material
     count_yielding(const double a, const double A_p, Report &report) const;
 
     StateLayout slots;
+    double      length_of_bands = 0.;
   };
 
   /// `neo-Hookean micropolar` and the classical `neo-Hookean`: elasticity.

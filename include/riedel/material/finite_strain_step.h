@@ -4,6 +4,7 @@
 #include <riedel/continuum/generalised.h>
 #include <riedel/continuum/newton.h>
 #include <riedel/continuum/space_tensor.h>
+#include <riedel/continuum/turn_in_space.h>
 #include <riedel/material/neo_hookean_elasticity.h>
 
 #include <array>
@@ -77,10 +78,18 @@ namespace Riedel::Material
       const auto stretched = [&](const auto &E) { return H + E + H * E; };
       const auto moved     = stretched(start.elastic);
 
-      // dQ^T - I
-      Continuum::SpaceTensor<dim, Number> turned;
-      if constexpr (micropolar)
-        turned = turn(increments.data() + Order::spin(0));
+      // dQ^T - I and, in space, T - I
+      Continuum::SpaceTensor<dim, Number>                  turned;
+      [[maybe_unused]] Continuum::SpaceTensor<dim, Number> tangent;
+      if constexpr (micropolar && dim == 3)
+        {
+          const Continuum::TurnInSpace<Number> turn(increments.data() +
+                                                    Order::spin(0));
+          turned  = Continuum::transpose(turn.rotation);
+          tangent = turn.tangent;
+        }
+      else if constexpr (micropolar)
+        turned = turn(increments[Order::spin(0)]);
       else
         turned = turn_to_symmetry(moved);
 
@@ -94,10 +103,7 @@ namespace Riedel::Material
             gradient.components[i] = increments[Order::curvature(0, 0) + i];
           auto sum = Continuum::times_one_plus(gradient, start.total);
           if constexpr (dim == 3)
-            sum = with_turned_rotation(increments.data() + Order::spin(0),
-                                       sum,
-                                       start.curvature,
-                                       turned);
+            sum = with_turned_rotation(tangent, sum, start.curvature, turned);
           else
             for (unsigned int i = 0; i < sum.n; ++i)
               sum.components[i] += start.curvature.components[i];
@@ -147,36 +153,29 @@ namespace Riedel::Material
     }
 
   private:
-    /// exp(theta)^T - I
-    Continuum::SpaceTensor<dim, Number>
-    turn(const Number *theta)
+    /// exp(theta)^T - I in the plane
+    Continuum::SpaceTensor<2, Number>
+    turn(const Number &theta)
     {
-      Continuum::SpaceTensor<dim, Number> turned;
-      if constexpr (dim == 2)
-        {
-          if constexpr (Continuum::IsLanes<Number>::value)
-            valid = valid && Continuum::abs(theta[0]) <
-                               Continuum::Turn<Number>::largest_small_angle;
-          const Continuum::Turn<Value> rotation =
-            Continuum::turn(Continuum::value_of(theta[0]));
-          // cos - 1 without cancellation for small angles
-          const Value less =
-            Continuum::select(rotation.cosine > Value(0.),
-                              Value(-(rotation.sine * rotation.sine) /
-                                    (1. + rotation.cosine)),
-                              Value(rotation.cosine - 1.));
-          const Number cosine =
-            Continuum::chain_rule(theta[0], less, -rotation.sine);
-          const Number sine =
-            Continuum::chain_rule(theta[0], rotation.sine, rotation.cosine);
-          turned(0, 0) = turned(1, 1) = cosine;
-          turned(0, 1)                = sine;
-          turned(1, 0)                = -sine;
-          turned(2, 2)                = Number(0.);
-        }
-      else
-        turned = Continuum::exponential_minus_one(
-          Continuum::transpose(skew_tensor(theta)));
+      Continuum::SpaceTensor<2, Number> turned;
+      const Value                       angle = Continuum::value_of(theta);
+      if constexpr (Continuum::IsLanes<Number>::value)
+        valid = valid && Continuum::abs(angle) <
+                           Continuum::Turn<Value>::largest_small_angle;
+      const Continuum::Turn<Value> rotation = Continuum::turn(angle);
+      // cos - 1 without cancellation for small angles
+      const Value less =
+        Continuum::select(rotation.cosine > Value(0.),
+                          Value(-(rotation.sine * rotation.sine) /
+                                (1. + rotation.cosine)),
+                          Value(rotation.cosine - 1.));
+      const Number cosine = Continuum::chain_rule(theta, less, -rotation.sine);
+      const Number sine =
+        Continuum::chain_rule(theta, rotation.sine, rotation.cosine);
+      turned(0, 0) = turned(1, 1) = cosine;
+      turned(0, 1)                = sine;
+      turned(1, 0)                = -sine;
+      turned(2, 2)                = Number(0.);
       return turned;
     }
 
@@ -227,40 +226,13 @@ namespace Riedel::Material
         }
     }
 
-    /// The tensor that crosses with @p axis.
-    static Continuum::SpaceTensor<3, Number>
-    skew_tensor(const Number *axis)
-    {
-      Continuum::SpaceTensor<3, Number> A;
-      A(0, 0) = A(1, 1) = A(2, 2) = Number(0.);
-      A(2, 1)                     = axis[0];
-      A(1, 2)                     = -axis[0];
-      A(0, 2)                     = axis[1];
-      A(2, 0)                     = -axis[1];
-      A(1, 0)                     = axis[2];
-      A(0, 1)                     = -axis[2];
-      return A;
-    }
-
-    /// dQ k + T(theta) sum, in space: T = I + A/2! + A^2/3! + ... with A the
-    /// skew tensor of theta, a series that converges for every angle
+    /// dQ k + T(theta) sum, in space; @p tangent is T - I
     static Continuum::CurvatureTensor<3, Number>
-    with_turned_rotation(const Number                                *theta,
+    with_turned_rotation(const Continuum::SpaceTensor<3, Number>     &tangent,
                          const Continuum::CurvatureTensor<3, Number> &sum,
                          const Continuum::CurvatureTensor<3, Value>  &k,
                          const Continuum::SpaceTensor<3, Number>     &turned)
     {
-      const Continuum::SpaceTensor<3, Number> A      = skew_tensor(theta);
-      double                                  square = 0.;
-      for (unsigned int k = 0; k < 3; ++k)
-        square += Continuum::value_of(theta[k]) * Continuum::value_of(theta[k]);
-      Continuum::SpaceTensor<3, Number> T = A;
-      for (unsigned int order =
-             1 + Continuum::n_terms_of_exponential(std::sqrt(square));
-           order >= 3;
-           --order)
-        T = A + (1. / order) * (A * T);
-      T                                            = .5 * T;
       Continuum::CurvatureTensor<3, Number> result = sum;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
@@ -268,7 +240,7 @@ namespace Riedel::Material
             result.components[3 * i + j] += k.components[3 * i + j];
             for (unsigned int l = 0; l < 3; ++l)
               result.components[3 * i + j] +=
-                T(i, l) * sum.components[3 * l + j] +
+                tangent(i, l) * sum.components[3 * l + j] +
                 turned(l, i) * k.components[3 * l + j];
           }
       return result;
