@@ -407,85 +407,79 @@ namespace Riedel::Material
 
 
   template <int dim, bool micropolar, bool plastic>
+  template <typename Number>
   void
   FiniteStrainLaw<dim, micropolar, plastic>::respond_group(
     const Batch       &batch,
     const unsigned int first,
     Report            &report) const
   {
-    if constexpr (dim == 2)
+    using Value                    = Continuum::ValueOf<Number>;
+    using Step                     = FiniteStrainStep<dim, micropolar, Number>;
+    using Place                    = Places<dim, micropolar, plastic>;
+    constexpr unsigned int n       = Step::n;
+    constexpr unsigned int n_state = Place::n;
+    constexpr bool         with_tangent = !std::is_same<Number, Value>::value;
+
+    // where the batch ends inside the group, its last point fills the lanes
+    const unsigned int n_points =
+      std::min<unsigned int>(n_lanes, batch.n_points - first);
+    std::array<Number, n>      inputs;
+    std::array<Value, n_state> state;
+    Continuum::read_rows(batch.increments + first * n, n_points, inputs);
+    Continuum::read_rows(batch.committed + first * n_state, n_points, state);
+
+    const Step               step(inputs,
+                    read_motion<dim, micropolar, plastic, Value>(
+                      [&](const unsigned int place) { return state[place]; }));
+    Continuum::Mask<n_lanes> usual = step.valid;
+    // what was on the yield surface will mostly yield again
+    if constexpr (plastic)
+      usual = usual && state[Place::yield] <
+                         (-1e-6 * strength_factor) * state[Place::strength];
+    std::array<Number, n> generalised{};
+    if (any(usual))
       {
-        using Number             = Continuum::Lanes<n_lanes>;
-        using Step               = FiniteStrainStep<dim, micropolar, Number>;
-        using Place              = Places<dim, micropolar, plastic>;
-        constexpr unsigned int n = Step::n;
-        constexpr unsigned int n_state = Place::n;
-
-        // where the batch ends inside the group, its last point fills the lanes
-        const unsigned int n_points =
-          std::min<unsigned int>(n_lanes, batch.n_points - first);
-        std::array<Number, n>       inputs;
-        std::array<Number, n_state> state;
-        for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        const ReturnMapping<dim, micropolar> mapping(elasticity, plasticity);
+        const auto stress = mapping.stress(step.trial);
+        generalised       = step.generalised(stress.force, stress.couple);
+        write_state<dim, micropolar, plastic>(step.trial,
+                                              stress.force,
+                                              stress.couple,
+                                              step.volume,
+                                              [&](const unsigned int place,
+                                                  const Value       &value) {
+                                                state[place] = value;
+                                              });
+        Value sum = value_of(stress.force.components[2]);
+        for (const Number &component : generalised)
+          sum += value_of(component);
+        usual = usual && is_finite(sum);
+        if constexpr (plastic)
           {
-            const unsigned int p = first + std::min(lane, n_points - 1);
-            for (unsigned int i = 0; i < n; ++i)
-              inputs[i].values[lane] = batch.increments[p * n + i];
-            for (unsigned int i = 0; i < n_state; ++i)
-              state[i].values[lane] = batch.committed[p * n_state + i];
+            const auto  trial    = mapping.invariants(stress, step.volume);
+            const Value strength = strength_factor * state[Place::strength];
+            state[Place::yield]  = trial.function(plasticity, strength);
+            usual                = usual && mapping.is_elastic(trial, strength);
           }
-
-        const Step               step(inputs,
-                        read_motion<dim, micropolar, plastic, Number>(
-                          [&](const unsigned int place) {
-                            return state[place];
-                          }));
-        Continuum::Mask<n_lanes> usual = step.valid;
-        std::array<Number, n>    generalised{};
-        if (any(usual))
-          {
-            const ReturnMapping<dim, micropolar> mapping(elasticity,
-                                                         plasticity);
-            const auto stress = mapping.stress(step.trial);
-            generalised       = step.generalised(stress.force, stress.couple);
-            write_state<dim, micropolar, plastic>(step.trial,
-                                                  stress.force,
-                                                  stress.couple,
-                                                  step.volume,
-                                                  [&](const unsigned int place,
-                                                      const Number &value) {
-                                                    state[place] = value;
-                                                  });
-            Number sum = stress.force.components[2];
-            for (const Number &component : generalised)
-              sum += component;
-            usual = usual && is_finite(sum);
-            if constexpr (plastic)
-              {
-                const auto   trial = mapping.invariants(stress, step.volume);
-                const Number strength =
-                  strength_factor * state[Place::strength];
-                state[Place::yield] = trial.function(plasticity, strength);
-                usual = usual && mapping.is_elastic(trial, strength);
-              }
-          }
-        for (unsigned int lane = 0; lane < n_points; ++lane)
-          if (usual[lane])
-            {
-              const unsigned int p = first + lane;
-              for (unsigned int i = 0; i < n_state; ++i)
-                batch.trial[p * n_state + i] = state[i][lane];
-              for (unsigned int i = 0; i < n; ++i)
-                batch.stresses[p * n + i] = generalised[i][lane];
-              ++report.substeps;
-            }
-          else
-            respond_point<double>(batch, first + lane, report);
       }
-    else
-      for (unsigned int p = first; p < batch.n_points && p < first + n_lanes;
-           ++p)
-        respond_point<double>(batch, p, report);
+    for (unsigned int lane = 0; lane < n_points; ++lane)
+      {
+        const unsigned int p = first + lane;
+        if (usual[lane])
+          {
+            for (unsigned int i = 0; i < n_state; ++i)
+              batch.trial[p * n_state + i] = state[i][lane];
+            Continuum::write_row(generalised,
+                                 lane,
+                                 batch.stresses + p * n,
+                                 with_tangent ? batch.tangents + p * n * n :
+                                                nullptr);
+            ++report.substeps;
+          }
+        else
+          respond_point<NumberOfPoint<with_tangent>>(batch, p, report);
+      }
   }
 
 
@@ -494,19 +488,26 @@ namespace Riedel::Material
   Report
   FiniteStrainLaw<dim, micropolar, plastic>::respond(const Batch &batch) const
   {
-    constexpr int n_derivatives =
-      Continuum::n_derivatives(FiniteStrainStep<dim, micropolar, double>::n);
-
-    Report report;
-    if (batch.tangents != nullptr)
-      for (unsigned int p = 0; p < batch.n_points; ++p)
-        respond_point<Forward<n_derivatives>>(batch, p, report);
-    else if (batch.axis_3_strains != nullptr)
-      for (unsigned int p = 0; p < batch.n_points; ++p)
-        respond_point<double>(batch, p, report);
-    else
-      for (unsigned int p = 0; p < batch.n_points; p += n_lanes)
-        respond_group(batch, p, report);
+    const bool with_tangent = batch.tangents != nullptr;
+    Report     report;
+    if constexpr (dim == 2)
+      if (batch.axis_3_strains == nullptr)
+        {
+          using Value = Continuum::Lanes<n_lanes>;
+          using WithTangent =
+            Forward<FiniteStrainStep<dim, micropolar, Value>::n, Value>;
+          for (unsigned int p = 0; p < batch.n_points; p += n_lanes)
+            if (with_tangent)
+              respond_group<WithTangent>(batch, p, report);
+            else
+              respond_group<Value>(batch, p, report);
+          return report;
+        }
+    for (unsigned int p = 0; p < batch.n_points; ++p)
+      if (with_tangent)
+        respond_point<NumberOfPoint<true>>(batch, p, report);
+      else
+        respond_point<NumberOfPoint<false>>(batch, p, report);
     return report;
   }
 
@@ -567,9 +568,9 @@ namespace Riedel::Material
   FiniteStrainLaw<dim, micropolar, plastic>::parse_elasticity(
     dealii::ParameterHandler &prm)
   {
-    elasticity        = NeoHookeanElasticity();
-    elasticity.lambda = prm.get_double("Lame modulus");
-    elasticity.mu     = prm.get_double("Shear modulus");
+    elasticity                 = NeoHookeanElasticity();
+    elasticity.lambda          = prm.get_double("Lame modulus");
+    elasticity.mu              = prm.get_double("Shear modulus");
     NeoHookeanElasticity polar = elasticity;
     polar.kappa                = 2. * prm.get_double("Couple modulus");
     polar.gamma                = prm.get_double("Bending modulus");

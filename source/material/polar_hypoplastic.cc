@@ -36,22 +36,6 @@ namespace Riedel::Material
 
     /// How many points are computed at once if only stresses are wanted.
     constexpr int n_lanes = Continuum::n_native_lanes;
-
-    /// Reads rows of numbers, one row for each lane. The last row fills the
-    /// lanes beyond the @p n_rows.
-    template <std::size_t n>
-    void
-    read_rows(const double                             *rows,
-              const unsigned int                        n_rows,
-              std::array<Continuum::Lanes<n_lanes>, n> &numbers)
-    {
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        {
-          const double *row = rows + std::min(lane, n_rows - 1) * n;
-          for (unsigned int i = 0; i < n; ++i)
-            numbers[i].values[lane] = row[i];
-        }
-    }
   } // namespace
 
 
@@ -156,16 +140,12 @@ namespace Riedel::Material
     // where the batch ends inside the group, its last point fills the lanes
     const unsigned int n_points =
       std::min<unsigned int>(n_lanes, batch.n_points - first);
-    std::array<Value, n>       increments;
+    std::array<Number, n>      inputs;
     std::array<Value, n_state> committed;
-    read_rows(batch.increments + first * n, n_points, increments);
-    read_rows(batch.committed + first * n_state, n_points, committed);
-    std::array<Number, n> inputs;
-    for (unsigned int i = 0; i < n; ++i)
-      if constexpr (with_tangent)
-        inputs[i] = Number::input(increments[i], i);
-      else
-        inputs[i] = increments[i];
+    Continuum::read_rows(batch.increments + first * n, n_points, inputs);
+    Continuum::read_rows(batch.committed + first * n_state,
+                         n_points,
+                         committed);
 
     Step                       step(inputs);
     HypoplasticFlagsOf<Number> flags;
@@ -189,14 +169,11 @@ namespace Riedel::Material
           const unsigned int p = first + lane;
           for (unsigned int i = 0; i < n_state; ++i)
             batch.trial[p * n_state + i] = step.trial[i][lane];
-          for (unsigned int i = 0; i < n; ++i)
-            batch.stresses[p * n + i] =
-              Continuum::value_of(step.generalised[i])[lane];
-          if constexpr (with_tangent)
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                batch.tangents[(p * n + i) * n + j] =
-                  step.generalised[i].derivatives[j][lane];
+          Continuum::write_row(step.generalised,
+                               lane,
+                               batch.stresses + p * n,
+                               with_tangent ? batch.tangents + p * n * n :
+                                              nullptr);
           report.clamped += flags.clamped[lane];
           report.null_deviator += flags.null_deviator[lane];
           ++report.substeps;

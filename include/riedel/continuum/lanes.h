@@ -4,6 +4,7 @@
 #include <riedel/continuum/forward.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -366,6 +367,57 @@ namespace Riedel::Continuum
   template <typename Number>
   using ConditionOf =
     decltype(std::declval<ValueOf<Number>>() < std::declval<ValueOf<Number>>());
+
+
+
+  /// Reads rows of numbers, one row for each lane. The last row fills the lanes
+  /// beyond the @p n_rows.
+  template <int n_lanes, std::size_t n>
+  void
+  read_rows(const double                  *rows,
+            const unsigned int             n_rows,
+            std::array<Lanes<n_lanes>, n> &numbers)
+  {
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      {
+        const double *row = rows + std::min(lane, n_rows - 1) * n;
+        for (unsigned int i = 0; i < n; ++i)
+          numbers[i].values[lane] = row[i];
+      }
+  }
+
+  /// ... as the inputs of a function, in their order
+  template <int n_derivatives, int n_lanes, std::size_t n>
+  void
+  read_rows(const double                                          *rows,
+            const unsigned int                                     n_rows,
+            std::array<Forward<n_derivatives, Lanes<n_lanes>>, n> &numbers)
+  {
+    std::array<Lanes<n_lanes>, n> values;
+    read_rows(rows, n_rows, values);
+    for (unsigned int i = 0; i < n; ++i)
+      numbers[i] = Forward<n_derivatives, Lanes<n_lanes>>::input(values[i], i);
+  }
+
+
+
+  /// Writes the values of a lane and, if the numbers have them, their
+  /// derivatives, a row for each number.
+  template <typename Number, std::size_t n>
+  void
+  write_row(const std::array<Number, n>   &numbers,
+            const unsigned int             lane,
+            double                        *values,
+            [[maybe_unused]] double *const derivatives)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        values[i] = value_of(numbers[i])[lane];
+        if constexpr (!std::is_same<Number, ValueOf<Number>>::value)
+          for (unsigned int j = 0; j < n; ++j)
+            derivatives[i * n + j] = numbers[i].derivatives[j][lane];
+      }
+  }
 
 
 

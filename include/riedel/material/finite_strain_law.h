@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <riedel/continuum/forward.h>
+#include <riedel/continuum/generalised.h>
+#include <riedel/continuum/newton.h>
 #include <riedel/material/drucker_prager_plasticity.h>
 #include <riedel/material/law.h>
 #include <riedel/material/neo_hookean_elasticity.h>
 
 #include <string>
+#include <type_traits>
 
 namespace Riedel::Material
 {
@@ -119,8 +123,18 @@ namespace Riedel::Material
                   double       *tangent,
                   Report       &report) const;
 
+    /// What one point is computed with.
+    template <bool with_tangent>
+    using NumberOfPoint = std::conditional_t<
+      with_tangent,
+      Continuum::Forward<Continuum::n_derivatives(
+        micropolar ? Continuum::Generalised<dim>::n_micropolar :
+                     Continuum::Generalised<dim>::n_classical)>,
+      double>;
+
     /// The points from @p first on, as many as there are lanes: the elastic
-    /// ones at once, the others one by one. In space all one by one.
+    /// ones at once, the others one by one.
+    template <typename Number>
     void
     respond_group(const Batch       &batch,
                   const unsigned int first,
