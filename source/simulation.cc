@@ -370,6 +370,8 @@ namespace Riedel
     if (outcome.converged)
       refuse_long_moves(load + step);
     if (outcome.converged)
+      refuse_jump_of_load(step);
+    if (outcome.converged)
       return true;
 
     scheme->distrust();
@@ -425,6 +427,37 @@ namespace Riedel
     outcome.failure =
       std::to_string(n) +
       " points move beyond the neighbours of their rank's cells";
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::refuse_jump_of_load(const double step)
+  {
+    if (!scene.loading.opening.controls || load_factor == 0.0)
+      return;
+    const double found    = balance->load_factor();
+    const double expected = load_factor_rate * step;
+    const double surprise = std::abs(found - load_factor - expected);
+    if (surprise <=
+        std::max(0.5 * std::max(std::abs(load_factor), std::abs(found)),
+                 3.0 * std::abs(expected)))
+      return;
+    const std::string jump = "the load factor jumps from " +
+                             Output::number(load_factor) + " to " +
+                             Output::number(found);
+    // Moving points that come into other cells put a body out of balance by
+    // an amount that does not shrink with the step.
+    if (points.are_moving() || scene.loading.fixed_steps ||
+        0.5 * step < scene.loading.smallest_step)
+      {
+        log.line("  step to s = " + Output::number(load + step) + ": " + jump +
+                 ".");
+        return;
+      }
+    outcome.converged = false;
+    outcome.failure   = jump + ", perhaps to another balance";
   }
 
 

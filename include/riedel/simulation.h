@@ -148,6 +148,11 @@ namespace Riedel
     /// them over has not converged.
     void
     refuse_long_moves(const double s);
+    /// A step of size @p step under a measured opening after which the load
+    /// factor is far from what the last step lets expect has not converged: it
+    /// may be another balance. Where a smaller step is no help the log says so.
+    void
+    refuse_jump_of_load(const double step);
     /// A line for the end of a message, if the run can be resumed; @p change:
     /// the --set option that may help, or nothing.
     std::string

@@ -17,7 +17,11 @@ import matplotlib.pyplot as plt
 
 HERE = pathlib.Path(__file__).resolve().parent
 MATERIALS = ("body", "weak corner")
-CLASSICAL = [f"Materials/{name}/Law=Drucker-Prager" for name in MATERIALS]
+# Without a length the body snaps back on fine grids: s is then what the lower half of the side has moved down less than
+# the upper one, which grows all the way.
+CLASSICAL = [f"Materials/{name}/Law=Drucker-Prager" for name in MATERIALS] + [
+    "Loading/Control=opening", "Loading/Opening/Component=2", "Loading/Opening/From=0.06, 0.09",
+    "Loading/Opening/To=0.06, 0.03", "Loading/Opening/Final opening=0.0055"]
 # the body bulges over the edge of its first grid
 MOVING = ["Grid/Reference configuration=current", "Grid/Margin cells=0, 4, 0, 0"]
 SHEAR_MODULUS = 40e6
@@ -40,47 +44,40 @@ def rows_of(path):
 
 
 class Member:
-    """The curve of a run that has ended, and its bands."""
+    """The curve of a run that has ended, over the shortening [mm], and its bands."""
 
     def __init__(self, folder, name):
         self.cells, _, self.length = MEMBERS[name]
         history = rows_of(folder / name / "history.csv")
-        self.load = [float(row["load [1]"]) for row in history]
+        self.shortening = [-1e3 * float(row["top u2 [m]"]) for row in history]
         self.force = [-float(row["top force 2 [N/m]"]) / 1e3 for row in history]
-        self.bands = [(float(row["load [1]"]), row) for row in rows_of(folder / name / "bands.csv")]
-        self.classical = name.startswith("classical")
-
-    def force_at(self, load):
-        at = [f for s, f in zip(self.load, self.force) if abs(s - load) < 1e-9]
-        return at[0] if at else float("nan")
+        self.last = float(history[-1]["load [1]"])
+        self.complete = self.last > 0.4 - 1e-9
+        self.bands = rows_of(folder / name / "bands.csv")
+        # of the shear strain for the law without rotations of its own
+        self.thickness = ("thickness of shear strain at 50 % [mm]" if name.startswith("classical") else
+                          "thickness at 50 % [mm]")
 
     def slope(self):
-        """Mean fall of the force between 3/4 and 1/4 of what it loses up to s = 0.4, over the height's change [kN/m per
-        mm]."""
-        end = self.force_at(0.4)
-        if end != end:
-            return end
-        top = max(self.force)
-        after = list(zip(self.load, self.force))[self.force.index(top):]
+        """Mean slope of the force between 3/4 and 1/4 of what it loses in all [kN/m per mm]."""
+        if not self.complete:
+            return float("nan")
+        top, end = max(self.force), self.force[-1]
+        after = list(zip(self.shortening, self.force))[self.force.index(top):]
         places = []
         for share in (0.75, 0.25):
             level = end + share * (top - end)
             i = next(i for i, (_, f) in enumerate(after) if f <= level)
-            (s0, f0), (s1, f1) = after[i - 1], after[i]
-            places.append((s0 + (f0 - level) / (f0 - f1) * (s1 - s0), level))
-        (s0, f0), (s1, f1) = places
-        return (f1 - f0) / (6.0 * (s1 - s0))  # s = 1 is 6 mm
+            (u0, f0), (u1, f1) = after[i - 1], after[i]
+            places.append((u0 + (f0 - level) / (f0 - f1) * (u1 - u0), level))
+        (u0, f0), (u1, f1) = places
+        return (f1 - f0) / (u1 - u0)
 
-    def band(self, load, column):
-        at = [float(row[column]) for s, row in self.bands if abs(s - load) < 1e-9]
-        return at[0] if at else float("nan")
-
-    def width(self, load):
-        """Of the rotation; of the shear strain for the law without rotations of its own."""
-        return self.band(load, "thickness of shear strain at 50 % [mm]" if self.classical else "thickness at 50 % [mm]")
+    def at_end(self, column):
+        return float(self.bands[-1][column]) if self.complete else float("nan")
 
     def narrowest(self):
-        widths = [self.width(s) for s, _ in self.bands]
+        widths = [float(row[self.thickness]) for row in self.bands]
         return min((w for w in widths if w == w), default=float("nan"))
 
 
@@ -107,13 +104,13 @@ def main():
                 print(f"{name}: exit code {code}")
         members[name] = Member(arguments.results, name)
 
-    print("| run | cells | L [mm] | largest force [kN/m] | force at s = .4 | slope after the peak [kN/m per mm] "
-          "| width at s = .4 [mm] | narrowest [mm] | inclination [deg] |\n|---|---|---|---|---|---|---|---|---|")
+    print("| run | cells | L [mm] | largest force [kN/m] | force at the end | slope after the peak [kN/m per mm] "
+          "| width at the end [mm] | narrowest [mm] | inclination [deg] |\n|---|---|---|---|---|---|---|---|---|")
     for name, member in members.items():
-        ends = "" if member.force_at(0.4) == member.force_at(0.4) else f", ends at s = {member.load[-1]:.3g}"
+        ends = "" if member.complete else f", ends at s = {member.last:.3g}"
         print(f"| {name}{ends} | {member.cells} x {2 * member.cells} | {member.length} | {max(member.force):.3f} "
-              f"| {member.force_at(0.4):.3f} | {member.slope():.2f} | {member.width(0.4):.2f} "
-              f"| {member.narrowest():.2f} | {member.band(0.4, 'inclination [deg]'):.1f} |")
+              f"| {member.force[-1]:.3f} | {member.slope():+.1f} | {member.at_end(member.thickness):.2f} "
+              f"| {member.narrowest():.2f} | {member.at_end('inclination [deg]'):.1f} |")
     if arguments.picture:
         draw(members, arguments.picture)
 
@@ -126,20 +123,23 @@ def draw(members, path):
     for name, member in members.items():
         kind = name.split("-")[0]
         if kind in styles:
-            left.plot(member.load, member.force, styles[kind][0], color=colours[member.cells], lw=1,
+            left.plot(member.shortening, member.force, styles[kind][0], color=colours[member.cells], lw=1,
                       label=f"60 mm/{member.cells}" if kind == "fe" else None)
-    left.set_xlabel("load parameter s (6 mm)")
+    left.set_xlabel("shortening [mm]")
     left.set_ylabel("force [kN/m]")
-    left.set_xlim(0, 0.4)
+    left.set_xlim(0, 2.4)
     left.legend(fontsize=7, title="cells", title_fontsize=7)
     left.set_title("solid micropolar FE, dotted MPM, dashed classical", fontsize=8)
     for kind, (line, label) in styles.items():
-        points = [(60 / m.cells, m.width(0.4)) for name, m in members.items() if name.startswith(kind)]
+        points = [(60 / m.cells, m.at_end(m.thickness)) for name, m in members.items() if name.startswith(kind)]
         middle.plot(*zip(*points), line, marker="o", ms=3, label=label)
-    middle.set_xscale("log", base=2)
+    middle.set_xscale("log")
+    sizes = [60 / cells for cells in colours]
+    middle.set_xticks(sizes, [f"{size:.3g}" for size in sizes])
+    middle.minorticks_off()
     middle.set_ylim(0, None)
     middle.set_xlabel("cell size [mm]")
-    middle.set_ylabel("width of the band at s = .4 [mm]")
+    middle.set_ylabel("width of the band at the end [mm]")
     middle.legend(fontsize=7)
     points = sorted((m.length, m.narrowest()) for name, m in members.items()
                     if name.startswith("length") or name == "fe-32")
