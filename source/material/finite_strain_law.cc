@@ -367,8 +367,7 @@ namespace Riedel::Material
       stresses[i] = value_of(generalised[i]);
     if constexpr (!std::is_same<Number, double>::value)
       for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          tangent[i * n + j] = generalised[i].derivatives[j];
+        generalised[i].derivatives.copy_to(tangent + i * n, n);
     else
       (void)tangent;
     return Report::Refusal::none;

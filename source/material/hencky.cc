@@ -205,8 +205,7 @@ namespace Riedel::Material
       stresses[a] = value_of(P[a]);
     if constexpr (!std::is_same<Number, double>::value)
       for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int b = 0; b < n; ++b)
-          tangent[a * n + b] = P[a].derivatives[b];
+        P[a].derivatives.copy_to(tangent + a * n, n);
     else
       (void)tangent;
     return Report::Refusal::none;

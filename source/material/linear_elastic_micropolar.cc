@@ -287,8 +287,7 @@ namespace Riedel::Material
       stresses[a] = value_of(generalised[a]);
     if constexpr (!std::is_same<Number, double>::value)
       for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int b = 0; b < n; ++b)
-          tangent[a * n + b] = generalised[a].derivatives[b];
+        generalised[a].derivatives.copy_to(tangent + a * n, n);
     else
       (void)tangent;
     return Report::Refusal::none;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 namespace Riedel::Continuum
@@ -23,9 +24,10 @@ namespace Riedel::Continuum
 
     template <typename Pieces>
     static void
-    set(Pieces &pieces, const unsigned int i, const Value &value)
+    set_unit(Pieces &pieces, const unsigned int place)
     {
-      pieces[i] = value;
+      for (int i = 0; i < n; ++i)
+        pieces[i] = Value(i == static_cast<int>(place) ? 1. : 0.);
     }
   };
 
@@ -53,11 +55,22 @@ namespace Riedel::Continuum
       return pieces[i / n_each][i % n_each];
     }
 
+    /// By whole pieces: one that is written in parts is slow to read at once.
     template <typename Pieces>
     static void
-    set(Pieces &pieces, const unsigned int i, const double value)
+    set_unit(Pieces &pieces, const unsigned int place)
     {
-      pieces[i / n_each][i % n_each] = value;
+      struct Table
+      {
+        double numbers[2 * n] = {};
+
+        constexpr Table()
+        {
+          numbers[n] = 1.;
+        }
+      };
+      static constexpr Table table;
+      std::memcpy(&pieces, table.numbers + n - place, n * sizeof(double));
     }
   };
 
@@ -73,6 +86,37 @@ namespace Riedel::Continuum
     typename Store::Piece pieces[n_pieces];
 
   public:
+    DerivativeVector() = default;
+
+    /// Piece by piece: GCC copies longer objects by an instruction (rep movs)
+    /// that takes longer than an operation on them.
+    DerivativeVector(const DerivativeVector &b)
+    {
+      *this = b;
+    }
+
+    DerivativeVector &
+    operator=(const DerivativeVector &b)
+    {
+#pragma GCC unroll 8
+      for (int i = 0; i < n_pieces; ++i)
+        pieces[i] = b.pieces[i];
+      return *this;
+    }
+
+    /// Unrolled, so that the compiler can keep pieces in registers: of its own
+    /// accord it does not for 7 of them, which takes half as long again.
+    template <typename Function>
+    static DerivativeVector
+    pieces_of(const Function &function)
+    {
+      DerivativeVector result;
+#pragma GCC unroll 8
+      for (int i = 0; i < n_pieces; ++i)
+        result.pieces[i] = function(i);
+      return result;
+    }
+
     static DerivativeVector
     zero()
     {
@@ -85,10 +129,21 @@ namespace Riedel::Continuum
       return Store::get(pieces, i);
     }
 
-    void
-    set(const unsigned int i, const Value &value)
+    /// 1 at @p place, else 0
+    static DerivativeVector
+    unit(const unsigned int place)
     {
-      Store::set(pieces, i, value);
+      DerivativeVector result;
+      Store::set_unit(result.pieces, place);
+      return result;
+    }
+
+    /// Writes the first @p n_wanted of doubles.
+    void
+    copy_to(double *numbers, const unsigned int n_wanted) const
+    {
+      static_assert(std::is_same<Value, double>::value, "of one point");
+      std::memcpy(numbers, &pieces, n_wanted * sizeof(double));
     }
 
     DerivativeVector &
@@ -131,20 +186,6 @@ namespace Riedel::Continuum
       return pieces_of(
         [&](int i) { return a.pieces[i] * factor_a + b.pieces[i] * factor_b; });
     }
-
-  private:
-    /// Unrolled, so that the compiler can keep pieces in registers: of its own
-    /// accord it does not for 7 of them, which takes half as long again.
-    template <typename Function>
-    static DerivativeVector
-    pieces_of(const Function &function)
-    {
-      DerivativeVector result;
-#pragma GCC unroll 8
-      for (int i = 0; i < n_pieces; ++i)
-        result.pieces[i] = function(i);
-      return result;
-    }
   };
 
 
@@ -172,6 +213,21 @@ namespace Riedel::Continuum
 
     Forward() = default;
 
+    /// As those of DerivativeVector: GCC would copy the value and what lies
+    /// unused behind it at once, and wait for the value to be stored.
+    Forward(const Forward &b)
+      : value(b.value)
+      , derivatives(b.derivatives)
+    {}
+
+    Forward &
+    operator=(const Forward &b)
+    {
+      value       = b.value;
+      derivatives = b.derivatives;
+      return *this;
+    }
+
     /// A constant. Implicit, because constants mix freely with numbers.
     template <typename Constant, typename = IfConstant<Constant>>
     Forward(const Constant &value)
@@ -188,9 +244,7 @@ namespace Riedel::Continuum
     static Forward
     input(const Value &value, const unsigned int place)
     {
-      Forward result(value);
-      result.derivatives.set(place, 1.);
-      return result;
+      return {value, DerivativeVector<n, Value>::unit(place)};
     }
 
     Forward &

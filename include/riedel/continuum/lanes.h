@@ -478,12 +478,12 @@ namespace Riedel::Continuum
          const Forward<n_derivatives, Lanes<n>> &if_true,
          const Forward<n_derivatives, Lanes<n>> &if_false)
   {
-    Forward<n_derivatives, Lanes<n>> result;
-    result.value = select(mask, if_true.value, if_false.value);
-    for (int i = 0; i < n_derivatives; ++i)
-      result.derivatives.set(
-        i, select(mask, if_true.derivatives[i], if_false.derivatives[i]));
-    return result;
+    return {select(mask, if_true.value, if_false.value),
+            DerivativeVector<n_derivatives, Lanes<n>>::pieces_of([&](int i) {
+              return select(mask,
+                            if_true.derivatives[i],
+                            if_false.derivatives[i]);
+            })};
   }
 
   /// as std::max: the first where one is not a number

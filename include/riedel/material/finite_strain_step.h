@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace Riedel::Material
 {
@@ -93,9 +94,14 @@ namespace Riedel::Material
       else
         turned = turn_to_symmetry(moved);
 
-      trial.elastic  = moved + turned + moved * turned;
-      const auto all = stretched(start.total);
-      trial.total    = all + turned + all * turned;
+      trial.elastic = moved + turned + moved * turned;
+      if (was_elastic(start))
+        trial.total = trial.elastic;
+      else
+        {
+          const auto all = stretched(start.total);
+          trial.total    = all + turned + all * turned;
+        }
       if constexpr (micropolar)
         {
           Continuum::CurvatureTensor<dim, Number> gradient;
@@ -153,6 +159,16 @@ namespace Riedel::Material
     }
 
   private:
+    /// Has all deformation been elastic so far? For Lanes it is not asked.
+    static bool
+    was_elastic(const Start &start)
+    {
+      if constexpr (std::is_same<Value, double>::value)
+        return start.total.components == start.elastic.components;
+      else
+        return false;
+    }
+
     /// exp(theta)^T - I in the plane
     Continuum::SpaceTensor<2, Number>
     turn(const Number &theta)

@@ -60,8 +60,7 @@ namespace Riedel::Material
       stresses[a] = Continuum::value_of(step.generalised[a]);
     if constexpr (!std::is_same<Number, double>::value)
       for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int b = 0; b < n; ++b)
-          tangent[a * n + b] = step.generalised[a].derivatives[b];
+        step.generalised[a].derivatives.copy_to(tangent + a * n, n);
     else
       (void)tangent;
     return Report::Refusal::none;
