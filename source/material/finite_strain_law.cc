@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <riedel/continuum/lanes.h>
+#include <riedel/material/elastic_tangent.h>
 #include <riedel/material/finite_strain_law.h>
 #include <riedel/material/prestress.h>
 #include <riedel/material/return_mapping.h>
@@ -484,6 +485,43 @@ namespace Riedel::Material
 
 
   template <int dim, bool micropolar, bool plastic>
+  bool
+  FiniteStrainLaw<dim, micropolar, plastic>::respond_elastic(
+    [[maybe_unused]] const Batch       &batch,
+    [[maybe_unused]] const unsigned int p,
+    [[maybe_unused]] Report            &report) const
+  {
+    if constexpr (dim == 3)
+      {
+        using Place                    = Places<dim, micropolar, plastic>;
+        constexpr unsigned int n_state = Place::n;
+        constexpr unsigned int n = FiniteStrainStep<dim, micropolar, double>::n;
+
+        const double *committed = batch.committed + p * n_state;
+        if constexpr (plastic)
+          if (!(committed[Place::yield] <
+                -1e-6 * strength_factor * committed[Place::strength]))
+            return false;
+        Report one;
+        respond_point<double>(batch, p, one);
+        if (one.refused > 0 || one.yielding > 0)
+          return false;
+        elastic_tangent_in_space<micropolar>(
+          elasticity,
+          batch.increments + p * n,
+          read_motion<dim, micropolar, plastic, double>(
+            [&](const unsigned int place) { return committed[place]; }),
+          batch.tangents + p * n * n);
+        report.substeps += one.substeps;
+        return true;
+      }
+    else
+      return false;
+  }
+
+
+
+  template <int dim, bool micropolar, bool plastic>
   Report
   FiniteStrainLaw<dim, micropolar, plastic>::respond(const Batch &batch) const
   {
@@ -503,10 +541,10 @@ namespace Riedel::Material
           return report;
         }
     for (unsigned int p = 0; p < batch.n_points; ++p)
-      if (with_tangent)
-        respond_point<NumberOfPoint<true>>(batch, p, report);
-      else
+      if (!with_tangent)
         respond_point<NumberOfPoint<false>>(batch, p, report);
+      else if (!respond_elastic(batch, p, report))
+        respond_point<NumberOfPoint<true>>(batch, p, report);
     return report;
   }
 

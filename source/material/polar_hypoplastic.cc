@@ -34,7 +34,7 @@ namespace Riedel::Material
       return layout;
     }
 
-    /// How many points are computed at once if only stresses are wanted.
+    /// How many points are computed at once.
     constexpr int n_lanes = Continuum::n_native_lanes;
   } // namespace
 

@@ -132,6 +132,14 @@ namespace Riedel::Material
                      Continuum::Generalised<dim>::n_classical)>,
       double>;
 
+    /// Point @p p of a batch with its tangent, if that is known in closed form:
+    /// of a point in space that stays elastic. Otherwise false, and the report
+    /// is as it was.
+    bool
+    respond_elastic(const Batch       &batch,
+                    const unsigned int p,
+                    Report            &report) const;
+
     /// The points from @p first on, as many as there are lanes: the elastic
     /// ones at once, the others one by one.
     template <typename Number>
