@@ -433,10 +433,10 @@ namespace Riedel::Material
                     read_motion<dim, micropolar, plastic, Value>(
                       [&](const unsigned int place) { return state[place]; }));
     Continuum::Mask<n_lanes> usual = step.valid;
-    // what was on the yield surface will mostly yield again
+    // what was at the yield surface will mostly yield again
     if constexpr (plastic)
       usual = usual && state[Place::yield] <
-                         (-1e-6 * strength_factor) * state[Place::strength];
+                         (-1e-3 * strength_factor) * state[Place::strength];
     std::array<Number, n> generalised{};
     if (any(usual))
       {
@@ -500,7 +500,7 @@ namespace Riedel::Material
         const double *committed = batch.committed + p * n_state;
         if constexpr (plastic)
           if (!(committed[Place::yield] <
-                -1e-6 * strength_factor * committed[Place::strength]))
+                -1e-3 * strength_factor * committed[Place::strength]))
             return false;
         Report one;
         respond_point<double>(batch, p, one);
