@@ -173,11 +173,12 @@ namespace Riedel::Material
     };
 
 
+
     /**
      * The rows of forces and spins: d(P, t) for dH and, if micropolar, dtheta.
      *
      * @param W (I + E) R at the start
-     * @param n length of a row of the tangent
+     * @param turn the rotation, if micropolar
      */
     template <bool micropolar>
     void
@@ -206,7 +207,7 @@ namespace Riedel::Material
                         diagonal(.5 * lambda * (J * J - 1.) - mu)) *
                        C;
 
-      /// the column @p c: change of P, and of the Kirchhoff stress
+      // the column c: change of P, and of the Kirchhoff stress
       const auto write_column =
         [&](const Matrix &dP, const Matrix &change, const unsigned int c) {
           for (unsigned int i = 0; i < 3; ++i)
@@ -277,8 +278,8 @@ namespace Riedel::Material
         return elasticity.gamma * k + elasticity.beta * transpose(k) +
                diagonal(elasticity.alpha * (k[0][0] + k[1][1] + k[2][2]));
       };
-      const Matrix W_total = total * turn.R;
-      const Matrix B       = inverse_volume * transpose(W_total);
+      const Matrix W_t     = transpose(total * turn.R);
+      const Matrix B       = inverse_volume * W_t;
       const Matrix k_start = matrix_of(start.curvature.components.data());
       const Matrix S = matrix_of(increments + Order::curvature(0, 0)) * total;
       const Matrix before      = transpose(turn.R) * k_start + turn.T * S;
@@ -297,10 +298,9 @@ namespace Riedel::Material
       // dGamma = e_a e_b^T: dk = t w^T with the column a of T, the row b of
       // W_total
       const Matrix Bt     = transpose(B);
-      const Matrix Tt_B_t = Bt * turn.T;             // j, a
-      const Matrix B_t_W  = Bt * transpose(W_total); // j, b
-      const Matrix tw     = transpose(turn.T) * transpose(W_total);
-      const Matrix W_t    = transpose(W_total);
+      const Matrix Tt_B_t = Bt * turn.T; // j, a
+      const Matrix B_t_W  = Bt * W_t;    // j, b
+      const Matrix tw     = transpose(turn.T) * W_t;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           {

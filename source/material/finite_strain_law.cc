@@ -184,6 +184,15 @@ namespace Riedel::Material
         at(Place::total, value_of(volume));
     }
 
+    /// Was a point so far from the yield surface that it may stay elastic? What
+    /// was at the surface will mostly yield again.
+    template <typename Value>
+    auto
+    is_inside(const Value &yield, const Value &strength)
+    {
+      return yield < -1e-3 * strength;
+    }
+
     constexpr int n_lanes = Continuum::n_native_lanes;
   } // namespace
 
@@ -433,10 +442,10 @@ namespace Riedel::Material
                     read_motion<dim, micropolar, plastic, Value>(
                       [&](const unsigned int place) { return state[place]; }));
     Continuum::Mask<n_lanes> usual = step.valid;
-    // what was at the yield surface will mostly yield again
     if constexpr (plastic)
-      usual = usual && state[Place::yield] <
-                         (-1e-3 * strength_factor) * state[Place::strength];
+      usual =
+        usual && is_inside(state[Place::yield],
+                           Value(strength_factor * state[Place::strength]));
     std::array<Number, n> generalised{};
     if (any(usual))
       {
@@ -499,8 +508,8 @@ namespace Riedel::Material
 
         const double *committed = batch.committed + p * n_state;
         if constexpr (plastic)
-          if (!(committed[Place::yield] <
-                -1e-3 * strength_factor * committed[Place::strength]))
+          if (!is_inside(committed[Place::yield],
+                         strength_factor * committed[Place::strength]))
             return false;
         Report one;
         respond_point<double>(batch, p, one);
